@@ -1,0 +1,60 @@
+/// The subcommands of `flatdt`: one option struct and one function each. main.cpp parses the command line.
+/// Every function returns the exit code 0 and throws InvalidInput (exit 2), LimitReached or anything else
+/// (exit 3).
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace flatdt::ref::cli {
+
+struct ManifoldsOptions {
+  bool json = false;
+};
+int run_manifolds(const ManifoldsOptions& options);
+
+struct InfoOptions {
+  std::string instance;
+  bool json = false;
+};
+int run_info(const InfoOptions& options);
+
+struct GenerateOptions {
+  std::string manifold;
+  long points = 1;
+  std::string family = "uniform";
+  std::uint64_t seed = 0;
+  std::string metric = "canonical";  // or "random"
+  std::string output = "-";
+};
+int run_generate(const GenerateOptions& options);
+
+struct TriangulateOptions {
+  std::string instance;
+  std::string output = "-";
+  std::string json_summary;         // empty: none
+  std::string sheets = "smallest";  // or "theorem10"
+  std::uint64_t order_seed = 0;     // internal insertion order; the output does not depend on it
+  long max_sheets = 20000;
+  bool quiet = false;
+};
+int run_triangulate(const TriangulateOptions& options);
+
+struct ImportOptions {
+  std::string file;
+  std::string output = "-";
+  std::string coincident = "refuse";  // or "merge"
+  std::string altloc = "first";       // or "all"
+};
+int run_import(const ImportOptions& options);
+
+struct DrawOptions {
+  std::string instance;
+  std::string triangulation;
+  std::string output = "-";
+  bool show_two_cycle = false;
+  bool show_violation = false;
+};
+int run_draw(const DrawOptions& options);
+
+}  // namespace flatdt::ref::cli

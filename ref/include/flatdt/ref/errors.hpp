@@ -1,0 +1,33 @@
+/// Typed errors of ref. The library throws these and never prints, exits or aborts.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace flatdt::ref {
+
+/// The caller's data is wrong: a file that breaks the grammar, an inadmissible group, a name that does not
+/// exist. The message names the offending element or point and says what would be right.
+class InvalidInput : public std::runtime_error {
+ public:
+  explicit InvalidInput(const std::string& reason) : std::runtime_error(reason) {}
+};
+
+/// A documented limit of this program was reached; the input may well be right.
+class LimitReached : public std::runtime_error {
+ public:
+  explicit LimitReached(const std::string& reason) : std::runtime_error(reason) {}
+};
+
+/// Our bug: an invariant that the mathematics guarantees does not hold.
+class InternalError : public std::logic_error {
+ public:
+  explicit InternalError(const std::string& law) : std::logic_error("internal error: " + law) {}
+};
+
+/// Always-on assertion of a law; throws InternalError.
+inline void ensure(bool condition, const char* law) {
+  if (!condition) throw InternalError(law);
+}
+
+}  // namespace flatdt::ref
