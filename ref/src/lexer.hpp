@@ -1,0 +1,63 @@
+/// Tokens of the two file formats and the exact numbers they stand for (FORMAT: lexical rules and limits).
+/// Invariants: nothing is rounded; a byte outside comments is white space or 0x21..0x7E; every token read was
+/// followed by white space or a comment; memory does not grow with a count in the text.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "flatdt/ref/isometry.hpp"
+
+namespace flatdt::ref {
+
+inline constexpr std::size_t kMaxTokenBytes = 4096;
+inline constexpr long kMaxDecimalExponent = 1100;
+inline constexpr long kMaxBinaryExponent = 4400;
+
+/// The value of a NUMBER token: rational, decimal or hexadecimal, letters in either case.
+/// Errors: InvalidInput saying what is wrong, without a location.
+Rational parse_number(std::string_view token);
+
+/// A cursor over the tokens of one text. The text must outlive it.
+/// Errors: every member throws InvalidInput "file:line: reason" when the text breaks a rule.
+class Lexer {
+ public:
+  /// `file_name` is used in messages only.
+  Lexer(std::string_view text, std::string file_name);
+
+  /// The next token, left in place; empty at the end of the text.
+  std::string_view peek();
+  /// Reads the next token if it equals `keyword`.
+  bool accept(std::string_view keyword);
+  /// Reads the next token, which must equal `keyword`.
+  void expect(std::string_view keyword);
+  /// Reads any token. `what` names it in messages, as in all members below.
+  std::string_view word(std::string_view what);
+  Rational number(std::string_view what);
+  /// A COUNT in [0, maximum].
+  std::uint64_t count(std::string_view what, std::uint64_t maximum);
+  /// An INDEX in [0, bound).
+  std::uint64_t index(std::string_view what, std::uint64_t bound);
+  /// An affine map: the d x (d+1) matrix [R|t] row by row.
+  Isometry isometry(int dimension, std::string_view what);
+  /// No token may be left. `last` names the last section.
+  void expect_end(std::string_view last);
+
+  /// Throws InvalidInput with the file and the line of the token last read or looked at.
+  [[noreturn]] void fail(const std::string& reason) const;
+
+ private:
+  void advance();
+  std::uint64_t natural(std::string_view what, std::uint64_t maximum, std::string_view limit);
+
+  std::string_view text_;
+  std::string file_name_;
+  std::size_t position_ = 0;
+  std::size_t line_ = 1;        // of position_
+  std::size_t token_line_ = 1;  // of token_, or of the end of the text
+  std::string_view token_;      // the token looked at, empty if none is
+  bool looked_ = false;         // token_ is the answer of peek()
+};
+
+}  // namespace flatdt::ref
