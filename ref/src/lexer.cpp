@@ -113,6 +113,24 @@ Rational parse_number(std::string_view token) {
   return negative ? -value : value;
 }
 
+std::string number_token(const Rational& value) {
+  std::string token = value.to_string();
+  if (token.size() > kMaxTokenBytes)
+    throw LimitReached("a number to be written has " + std::to_string(token.size()) +
+                       " bytes as a reduced rational, more than the " + std::to_string(kMaxTokenBytes) +
+                       " bytes of a token");
+  return token;
+}
+
+std::string isometry_tokens(const Isometry& g) {
+  std::string text;
+  for (int i = 0; i < g.dimension(); ++i) {
+    for (int j = 0; j < g.dimension(); ++j) text += (i + j > 0 ? " " : "") + number_token(g.linear(i, j));
+    text += " " + number_token(g.translation[i]);
+  }
+  return text;
+}
+
 Lexer::Lexer(std::string_view text, std::string file_name) : text_(text), file_name_(std::move(file_name)) {}
 
 void Lexer::fail(const std::string& reason) const {

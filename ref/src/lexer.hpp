@@ -19,6 +19,12 @@ inline constexpr long kMaxBinaryExponent = 4400;
 /// Errors: InvalidInput saying what is wrong, without a location.
 Rational parse_number(std::string_view token);
 
+/// The reduced rational "p" or "p/q". Errors: LimitReached if that is longer than a token may be (numbers
+/// read from hexadecimal digits or with large exponents can be).
+std::string number_token(const Rational& value);
+/// The matrix [R|t] row by row, as Lexer::isometry reads it. Errors: as number_token.
+std::string isometry_tokens(const Isometry& g);
+
 /// A cursor over the tokens of one text. The text must outlive it.
 /// Errors: every member throws InvalidInput "file:line: reason" when the text breaks a rule.
 class Lexer {

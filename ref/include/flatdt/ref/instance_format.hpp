@@ -14,6 +14,7 @@ namespace flatdt::ref {
 Instance parse_instance(std::string_view text, const std::string& file_name);
 
 /// The canonical text of an instance: reduced rationals; parse_instance(write_instance(x)) equals x.
+/// Errors: LimitReached if a reduced rational is longer than a token may be.
 std::string write_instance(const Instance& instance);
 
 }  // namespace flatdt::ref
