@@ -1,0 +1,83 @@
+#include "flatdt/ref/triangulation_format.hpp"
+
+#include "lexer.hpp"
+
+namespace flatdt::ref {
+namespace {
+
+// FORMAT: limits. Generators of the subgroup are generators.
+constexpr std::uint64_t kMaxGenerators = 10'000;
+constexpr std::uint64_t kMaxElements = 100'000'000;
+constexpr std::uint64_t kMaxCells = 1'000'000'000;
+
+std::vector<Isometry> parse_isometries(Lexer& lexer, int dimension, std::uint64_t count,
+                                       const std::string& what) {
+  std::vector<Isometry> list;  // grows with the text: a count alone must not cost memory
+  for (std::uint64_t i = 0; i < count; ++i)
+    list.push_back(lexer.isometry(dimension, what + " " + std::to_string(i)));
+  return list;
+}
+
+void append_isometries(std::string& text, const std::string& keyword, const std::vector<Isometry>& list) {
+  text += keyword + " " + std::to_string(list.size()) + "\n";
+  for (const Isometry& g : list) text += "  " + g.to_string() + "\n";
+}
+
+/// A comment may hold line breaks: every line of it becomes a comment line.
+void append_comment(std::string& text, const std::string& comment) {
+  text += "# ";
+  for (const char c : comment) {
+    text += c;
+    if (c == '\n') text += "# ";
+  }
+  text += '\n';
+}
+
+}  // namespace
+
+Triangulation parse_triangulation(std::string_view text, const std::string& file_name, int dimension,
+                                  std::size_t points) {
+  Lexer lexer(text, file_name);
+  lexer.expect("flatdt-triangulation");
+  lexer.expect("1");
+  Triangulation triangulation;
+  triangulation.dimension = dimension;
+  triangulation.has_subgroup = lexer.accept("subgroup");
+  if (triangulation.has_subgroup) {
+    const std::uint64_t count = lexer.count("the number of subgroup generators", kMaxGenerators);
+    triangulation.subgroup = parse_isometries(lexer, dimension, count, "subgroup generator");
+  }
+  lexer.expect("elements");
+  const std::uint64_t elements = lexer.count("the number of elements", kMaxElements);
+  triangulation.elements = parse_isometries(lexer, dimension, elements, "element");
+  lexer.expect("cells");
+  const std::uint64_t cells = lexer.count("the number of cells", kMaxCells);
+  for (std::uint64_t i = 0; i < cells; ++i) {
+    std::array<Triangulation::CellVertex, 4> cell{};
+    for (std::size_t k = 0; k <= static_cast<std::size_t>(dimension); ++k) {
+      cell[k].point = static_cast<std::uint32_t>(lexer.index("a point index of a cell", points));
+      cell[k].element = static_cast<std::uint32_t>(lexer.index("an element index of a cell", elements));
+    }
+    triangulation.cells.push_back(cell);
+  }
+  lexer.expect_end("cell");
+  return triangulation;
+}
+
+std::string write_triangulation(const Triangulation& triangulation,
+                                const std::vector<std::string>& comments) {
+  std::string text = "flatdt-triangulation 1\n";
+  for (const std::string& comment : comments) append_comment(text, comment);
+  if (triangulation.has_subgroup) append_isometries(text, "subgroup", triangulation.subgroup);
+  append_isometries(text, "elements", triangulation.elements);
+  text += "cells " + std::to_string(triangulation.cells.size()) + "\n";
+  for (const auto& cell : triangulation.cells) {
+    text += " ";
+    for (std::size_t k = 0; k <= static_cast<std::size_t>(triangulation.dimension); ++k)
+      text += " " + std::to_string(cell[k].point) + " " + std::to_string(cell[k].element);
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace flatdt::ref
