@@ -2,8 +2,8 @@
 
 namespace flatdt::ref {
 
-// Columns as in CatalogueText. Source: International Tables for Crystallography A; names after Conway &
-// Rossetti, "Describing the platycosms" (2003), and Wolf's G1..G6, B1..B4.
+// Fields as in CatalogueText. Source: [ITA] for the groups; names after [ConwayRossetti03] and [Wolf67]
+// (G1..G6, B1..B4).
 const std::vector<CatalogueText>& catalogue_texts() {
   static const std::vector<CatalogueText> texts = {
       {"torus",

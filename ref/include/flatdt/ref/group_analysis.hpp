@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "flatdt/ref/catalogue.hpp"
+#include "flatdt/ref/errors.hpp"
 #include "flatdt/ref/instance.hpp"
 
 namespace flatdt::ref {
@@ -45,12 +46,27 @@ struct GroupAnalysis {
   Frame frame;
 };
 
+/// The group does not act freely. element() is in the group, is not the identity, and fixes point(); both are
+/// in instance coordinates.
+class FixedPointError : public InvalidInput {
+ public:
+  FixedPointError(const Isometry& element, const Vector& point);
+  [[nodiscard]] const Isometry& element() const { return element_; }
+  [[nodiscard]] const Vector& point() const { return point_; }
+
+ private:
+  Isometry element_;
+  Vector point_;
+};
+
 /// Analyses the group of an instance.
 /// Requires: instance.gram symmetric. Errors: InvalidInput naming the element: metric not positive definite
 /// or not invariant under a generator, point group too large (a 13th or 49th linear part), lattice of rank <
-/// d, an element of finite order with its fixed point, a wrong name. LimitReached for denominators beyond
-/// HermiteBasis::kMaxBits. Complexity: O(generators * holonomy order) products. Source: Bieberbach's theorem
-/// (Theorem 5 of the paper); names follow from (dimension, orientable, holonomy, H1).
+/// d, an element of finite order (FixedPointError), a wrong name, checked in this order. LimitReached for
+/// denominators beyond HermiteBasis::kMaxBits. Laws: the result depends on the group and the metric only, not
+/// on the generators given; if the group is literally that of the entry (or its mirror image), catalogue
+/// coordinates are instance coordinates. Complexity: O(generators * holonomy order) products. Source:
+/// Bieberbach's theorem (Theorem 5 of the paper); names follow from (dimension, orientable, holonomy, H1).
 GroupAnalysis analyse(const Instance& instance);
 
 }  // namespace flatdt::ref
