@@ -16,7 +16,8 @@ namespace flatdt::ref {
 class HermiteBasis {
  public:
   explicit HermiteBasis(int dimension);
-  /// Adds a generator. Throws LimitReached when an entry exceeds kMaxBits bits (hostile denominators).
+  /// Adds a generator, zero and dependent ones included. Throws LimitReached when an entry exceeds kMaxBits
+  /// bits (hostile denominators).
   void add(const Vector& v);
   [[nodiscard]] int rank() const;
   /// The basis vectors (rank() of them).
@@ -38,6 +39,7 @@ using IntegerMatrix = std::vector<std::vector<Integer>>;
 struct SmithForm {
   IntegerMatrix left, diagonal, right;
 };
+/// Requires: rows of one length. No rows, no columns and zeros are allowed.
 SmithForm smith_normal_form(const IntegerMatrix& a);
 
 /// transform is unimodular; gram = transform^T (input gram) transform is Lagrange- (2D) or Selling-reduced
@@ -45,11 +47,18 @@ SmithForm smith_normal_form(const IntegerMatrix& a);
 struct ReducedBasis {
   Matrix transform, gram;
 };
-/// Complexity: O(log(aspect)) Gauss steps, then at most a constant number of Selling steps.
+/// In 2D and 3D alike all products of two basis vectors are <= 0, and so are those with minus their sum. The
+/// determinant of transform may be -1; a shortest vector of the lattice is a sum of superbase vectors, not
+/// always a basis vector. Requires: gram positive definite. Complexity: O(log(aspect)) Gauss steps
+/// [NguyenStehle09], then at most one Selling step (proof in the source).
 ReducedBasis reduce_basis(const Matrix& gram);
 
 /// All lattice vectors (integer coordinates) closest to x, in lexicographic order. Any gram (reduced inside).
 std::vector<Vector> closest_vectors(const Matrix& gram, const Vector& x);
+/// All nonzero lattice vectors of squared length at most bound, both signs; in no particular order, but
+/// always in the same. Complexity: proportional to their number, which is O(bound^(d/2) / sqrt(det gram))
+/// once bound exceeds the squared covering radius: the caller limits it.
+std::vector<Vector> short_vectors(const Matrix& gram, const Rational& bound);
 /// Least nonzero squared length.
 Rational shortest_squared_length(const Matrix& gram);
 /// The Voronoi-relevant candidates: all nonzero sums of subsets of an obtuse superbase (6 in 2D, 14 in 3D);

@@ -1,0 +1,93 @@
+/// `flatdt triangulate`: an instance in, a triangulation out; the story on standard error and as a JSON
+/// summary.
+#include "flatdt/ref/triangulate.hpp"
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+#include "flatdt/ref/instance_format.hpp"
+#include "text_files.hpp"
+
+namespace flatdt::ref::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json reason_json(const StayedInCover& reason) {
+  Json json;
+  switch (reason.kind) {
+    case StayedInCover::Kind::loop:
+      json["kind"] = "loop";
+      json["point"] = std::to_string(reason.first);
+      json["element"] = reason.g.to_string();
+      break;
+    case StayedInCover::Kind::two_cycle:
+      json["kind"] = "2-cycle";
+      json["points"] = {std::to_string(reason.first), std::to_string(reason.second)};
+      json["elements"] = {reason.g.to_string(), reason.h.to_string()};
+      break;
+    case StayedInCover::Kind::not_invariant:
+      json["kind"] = "not-invariant";
+      json["cell"] = reason.cell;
+      json["element"] = reason.g.to_string();
+      break;
+  }
+  return json;
+}
+
+Json summary(const Instance& instance, const GroupAnalysis& analysis, const TriangulationResult& result) {
+  Json json;
+  json["schema"] = "flatdt-triangulate 1";
+  json["manifold"] = analysis.entry->name;
+  json["dimension"] = std::to_string(instance.dimension);
+  json["points"] = std::to_string(instance.points.size());
+  json["distinct_points"] = std::to_string(result.distinct_points);
+  json["sheets"] = std::to_string(result.sheets);
+  json["cells"] = std::to_string(result.triangulation.cells.size());
+  json["working_cover"]["sheets"] = std::to_string(result.working_cover.sheets);
+  json["working_cover"]["lattice"] = result.working_cover.basis.to_string();
+  json["switched_after_points"] =
+      result.switched_after ? Json(std::to_string(*result.switched_after)) : Json(nullptr);
+  json["hierarchy_levels"] = std::to_string(result.hierarchy_levels);
+  json["delta_squared"] = result.delta_squared.to_string();
+  json["Delta_squared"] = result.empty_diameter_squared.to_string();
+  json["stayed_in_cover"] = result.reason ? reason_json(*result.reason) : Json(nullptr);
+  return json;
+}
+
+void tell(const Instance& instance, const GroupAnalysis& analysis, const TriangulationResult& result) {
+  std::string text = analysis.entry->name + ": " + std::to_string(instance.points.size()) + " points";
+  if (result.distinct_points != instance.points.size())
+    text += " (" + std::to_string(result.distinct_points) + " distinct)";
+  text += "; worked in a cover of " + std::to_string(result.working_cover.sheets) + " sheets; ";
+  if (result.switched_after)
+    text += "switched to the manifold after " + std::to_string(*result.switched_after) + " points";
+  else
+    text += "the condition of Corollary 9 was not met";
+  text += "\ndelta^2 = " + result.delta_squared.to_string() +
+          ", Delta^2 = " + result.empty_diameter_squared.to_string() + "\n";
+  for (const std::string& line : describe(result)) text += line + "\n";
+  text += std::to_string(result.triangulation.cells.size()) + " cells\n";
+  std::fputs(text.c_str(), stderr);
+}
+
+}  // namespace
+
+int run_triangulate(const TriangulateOptions& options) {
+  const Instance instance =
+      parse_instance(read_input(options.instance), options.instance == "-" ? "<stdin>" : options.instance);
+  const GroupAnalysis analysis = analyse(instance);
+  TriangulationOptions settings;
+  settings.cover = options.sheets == "theorem10" ? CoverChoice::theorem10 : CoverChoice::smallest;
+  settings.order_seed = options.order_seed;
+  settings.max_sheets = options.max_sheets;
+  const TriangulationResult result = triangulate(instance, analysis, settings);
+  write_output(options.output, write_triangulation(result.triangulation, describe(result)));
+  if (!options.json_summary.empty())
+    write_output(options.json_summary, summary(instance, analysis, result).dump(1) + "\n");
+  if (!options.quiet) tell(instance, analysis, result);
+  return 0;
+}
+
+}  // namespace flatdt::ref::cli

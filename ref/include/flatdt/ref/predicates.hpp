@@ -1,0 +1,80 @@
+/// Orientation and perturbed insphere of points of GP: the floating-point filter, then exact integers, then
+/// the symbolic perturbation. Law: the result is the exact one whatever stage speaks; `PredicateStages` can
+/// force the exact stage (tests do).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "flatdt/ref/exact_predicates.hpp"
+#include "flatdt/ref/filter.hpp"
+#include "flatdt/ref/tie_order.hpp"
+
+namespace flatdt::ref {
+
+/// A point of GP with its approximate coordinates in the frame.
+struct Lift {
+  std::array<double, 3> x{};
+  OrbitPoint point;
+};
+
+enum class PredicateStages : std::uint8_t { filtered, exact_only };
+
+template <int D>
+class Predicates {
+ public:
+  Predicates(const Frame& frame, const GroupTable& table, const std::vector<Site>& sites,
+             const TieOrder& order, PredicateStages stages)
+      : filter_(frame, table.row_sum()), exact_(frame, table, sites), order_(&order), stages_(stages) {}
+
+  using Simplex = std::array<Lift, D + 1>;
+
+  /// Sign of det(p_1 - p_0, ..., p_D - p_0): zero iff the points lie on a hyperplane.
+  [[nodiscard]] Sign orientation(const Simplex& p) {
+    if (stages_ == PredicateStages::filtered)
+      if (const auto sign = filter_.orientation(coordinates(p))) return *sign;
+    return exact_.orientation(points(p));
+  }
+
+  /// Is w in conflict with the cell: strictly inside its circumsphere, or on it and inside after the
+  /// perturbation? Requires: the cell is positively oriented and w is none of its vertices. Never undecided.
+  /// Source: Devillers & Teillaud 2003, with the order of TieOrder (INSERTION 2).
+  [[nodiscard]] bool conflict_sos(const Simplex& cell, const Lift& w) {
+    const Sign sign = insphere(cell, w);
+    return sign != Sign::zero ? sign == Sign::positive : perturbed_conflict(cell, w);
+  }
+
+  /// Sign of insphere(cell; w): positive iff w is strictly inside. Requires: the cell is positively oriented.
+  [[nodiscard]] Sign insphere(const Simplex& cell, const Lift& w) {
+    if (stages_ == PredicateStages::filtered)
+      if (const auto sign = filter_.insphere(coordinates(cell), w.x)) return *sign;
+    return exact_.insphere(points(cell), w.point);
+  }
+
+  [[nodiscard]] const Filter<D>& filter() const { return filter_; }
+  [[nodiscard]] ExactPredicates<D>& exact() { return exact_; }
+
+ private:
+  static std::array<std::array<double, 3>, D + 1> coordinates(const Simplex& p) {
+    std::array<std::array<double, 3>, D + 1> x;
+    for (std::size_t k = 0; k <= D; ++k) x[k] = p[k].x;
+    return x;
+  }
+  static std::array<OrbitPoint, D + 1> points(const Simplex& p) {
+    std::array<OrbitPoint, D + 1> x;
+    for (std::size_t k = 0; k <= D; ++k) x[k] = p[k].point;
+    return x;
+  }
+  [[nodiscard]] bool perturbed_conflict(const Simplex& cell, const Lift& w);
+
+  Filter<D> filter_;
+  ExactPredicates<D> exact_;
+  const TieOrder* order_;
+  PredicateStages stages_;
+};
+
+extern template class Predicates<2>;
+extern template class Predicates<3>;
+
+}  // namespace flatdt::ref

@@ -1,0 +1,151 @@
+/// The quotient complex: cells of a periodic triangulation of E^d modulo a subgroup H.
+/// Role: the one data structure that covers, quotients and intermediate states live in. It need not be
+/// simplicial: a vertex may occur twice in a cell, two cells may have the same vertices, a cell may neighbour
+/// itself. That is why traversals go over pairs (cell, element), never over bare cell ids. Invariants: the
+/// base lift of a cell, { offset[k] * vertex[k] }, is positively oriented; facet k is opposite vertex k;
+/// gluing[k] * (base lift of neighbour[k]) shares facet k with the base lift of the cell.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "flatdt/ref/canonical_face.hpp"
+#include "flatdt/ref/predicates.hpp"
+
+namespace flatdt::ref {
+
+enum class CellId : std::uint32_t {};
+enum class VertexId : std::uint32_t {};
+constexpr std::uint32_t index_of(CellId id) {
+  return static_cast<std::uint32_t>(id);
+}
+constexpr std::uint32_t index_of(VertexId id) {
+  return static_cast<std::uint32_t>(id);
+}
+inline constexpr CellId kNoCell{0xffffffffU};
+
+/// The d+1 points of GP of one lift of a cell.
+template <int D>
+using CellPoints = std::array<OrbitPoint, D + 1>;
+
+template <int D>
+class QuotientComplex {
+ public:
+  struct Vertex {
+    std::array<double, 3> x{};  // of base * site
+    OrbitPoint point;           // site and base = representative of the coset H g
+    CellId cell = kNoCell;      // some cell with this vertex
+  };
+  struct Cell {
+    std::array<VertexId, D + 1> vertex;
+    std::array<Element, D + 1> offset;  // in H
+    std::array<CellId, D + 1> neighbour;
+    std::array<Element, D + 1> gluing;  // in H
+    bool alive = false;
+    bool large = false;  // belongs to the list L (Section 4.1)
+    std::uint32_t visit = 0;
+    bool conflict = false;
+    Element visit_lift;
+  };
+
+  QuotientComplex(const GroupTable& table, const std::vector<Site>& sites, Subgroup subgroup)
+      : table_(&table), sites_(&sites), subgroup_(std::move(subgroup)), first_vertex_(sites.size(), kNone) {}
+
+  [[nodiscard]] const GroupTable& table() const { return *table_; }
+  [[nodiscard]] const Subgroup& subgroup() const { return subgroup_; }
+
+  /// Adds the [G:H] vertices of a site, without cells. The vertex of coset `rep` has id first + rep.
+  void add_site(SiteId site);
+  [[nodiscard]] bool has_site(SiteId site) const { return first_vertex_[index_of(site)] != kNone; }
+  [[nodiscard]] VertexId vertex_of(SiteId site, std::uint32_t rep) const {
+    return VertexId{first_vertex_[index_of(site)] + rep};
+  }
+  [[nodiscard]] std::size_t vertex_count() const { return vertices_.size(); }
+  [[nodiscard]] Vertex& vertex(VertexId v) { return vertices_[index_of(v)]; }
+  [[nodiscard]] const Vertex& vertex(VertexId v) const { return vertices_[index_of(v)]; }
+
+  [[nodiscard]] Cell& cell(CellId c) { return cells_[index_of(c)]; }
+  [[nodiscard]] const Cell& cell(CellId c) const { return cells_[index_of(c)]; }
+  /// Number of ids in use or free; ids are 0 .. cell_slots()-1.
+  [[nodiscard]] std::size_t cell_slots() const { return cells_.size(); }
+  [[nodiscard]] std::size_t cell_count() const { return cells_.size() - free_.size(); }
+  CellId new_cell();
+  void delete_cell(CellId c);
+
+  /// The point s * v.
+  [[nodiscard]] Lift lift(VertexId v, const Element& s) const {
+    const Vertex& vertex = vertices_[index_of(v)];
+    const OrbitPoint point{vertex.point.site, table_->multiply(s, vertex.point.g)};
+    // From the base position only for a translation: the filter's error analysis counts one rounding.
+    if (s.coset == 0) return {table_->apply(s, vertex.x), point};
+    return {table_->apply(point.g, (*sites_)[index_of(vertex.point.site)].approximate), point};
+  }
+  [[nodiscard]] Lift lift(const OrbitPoint& p) const {
+    return {table_->apply(p.g, (*sites_)[index_of(p.site)].approximate), p};
+  }
+  [[nodiscard]] std::array<Lift, D + 1> base_lift(CellId c) const {
+    const Cell& cell = cells_[index_of(c)];
+    std::array<Lift, D + 1> lifts;
+    for (std::size_t k = 0; k <= D; ++k) lifts[k] = lift(cell.vertex[k], cell.offset[k]);
+    return lifts;
+  }
+  [[nodiscard]] CellPoints<D> base_points(CellId c) const {
+    const Cell& cell = cells_[index_of(c)];
+    CellPoints<D> points;
+    for (std::size_t k = 0; k <= D; ++k)
+      points[k] = {vertices_[index_of(cell.vertex[k])].point.site,
+                   table_->multiply(cell.offset[k], vertices_[index_of(cell.vertex[k])].point.g)};
+    return points;
+  }
+
+  /// Fills an empty complex with cells given by lifts (one per H-orbit, vertices in any order), all of whose
+  /// sites have been added, and finds the adjacency by facet keys. Errors: InternalError if a cell is flat or
+  /// a facet modulo H does not occur exactly twice. Complexity: O(n log n) for n cells.
+  void assemble(const std::vector<CellPoints<D>>& cells, Predicates<D>& predicates);
+
+  /// The base lifts of all cells.
+  [[nodiscard]] std::vector<CellPoints<D>> all_cells() const;
+
+ private:
+  static constexpr std::uint32_t kNone = 0xffffffffU;
+
+  const GroupTable* table_;
+  const std::vector<Site>* sites_;
+  Subgroup subgroup_;
+  std::vector<std::uint32_t> first_vertex_;
+  std::vector<Vertex> vertices_;
+  std::vector<Cell> cells_;
+  std::vector<CellId> free_;
+};
+
+extern template class QuotientComplex<2>;
+extern template class QuotientComplex<3>;
+
+/// The cells of E^d modulo a group, given one lift of each cell modulo a subgroup of index `multiplicity` in
+/// it: each as its canonical list, sorted. Nothing if the set of cells is not invariant under the group (some
+/// cell does not occur exactly `multiplicity` times).
+template <int D>
+std::optional<std::vector<CellPoints<D>>> cells_modulo(const GroupTable& table, const Subgroup& group,
+                                                       const std::vector<CellPoints<D>>& cells,
+                                                       std::uint32_t multiplicity);
+
+/// The cells modulo `target`, a subgroup of `group`, given one lift of each cell modulo `group`: each moved
+/// by all coset representatives, as canonical lists, sorted.
+template <int D>
+std::vector<CellPoints<D>> unfold(const GroupTable& table, const Subgroup& group, const Subgroup& target,
+                                  const std::vector<CellPoints<D>>& cells);
+
+extern template std::optional<std::vector<CellPoints<2>>> cells_modulo<2>(const GroupTable&, const Subgroup&,
+                                                                          const std::vector<CellPoints<2>>&,
+                                                                          std::uint32_t);
+extern template std::optional<std::vector<CellPoints<3>>> cells_modulo<3>(const GroupTable&, const Subgroup&,
+                                                                          const std::vector<CellPoints<3>>&,
+                                                                          std::uint32_t);
+extern template std::vector<CellPoints<2>> unfold<2>(const GroupTable&, const Subgroup&, const Subgroup&,
+                                                     const std::vector<CellPoints<2>>&);
+extern template std::vector<CellPoints<3>> unfold<3>(const GroupTable&, const Subgroup&, const Subgroup&,
+                                                     const std::vector<CellPoints<3>>&);
+
+}  // namespace flatdt::ref

@@ -1,0 +1,150 @@
+#include "flatdt/ref/circumradius.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace flatdt::ref {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// Round-to-nearest errs by at most 2^-53 |x| (2^-1075 when subnormal); the margin is four times that and
+// absorbs its own rounding. Rejected: nextafter, measured three times slower here.
+Interval outward(double lo, double hi) {
+  const Interval r{lo - (std::fabs(lo) * 0x1p-51 + 0x1p-1070), hi + (std::fabs(hi) * 0x1p-51 + 0x1p-1070)};
+  // An overflow makes infinities and NaNs: then nothing is known.
+  if (!(r.lo <= r.hi)) return {-kInfinity, kInfinity};
+  return r;
+}
+Interval operator+(const Interval& a, const Interval& b) {
+  return outward(a.lo + b.lo, a.hi + b.hi);
+}
+Interval operator-(const Interval& a, const Interval& b) {
+  return outward(a.lo - b.hi, a.hi - b.lo);
+}
+Interval operator*(const Interval& a, const Interval& b) {
+  const double w = a.lo * b.lo, x = a.lo * b.hi, y = a.hi * b.lo, z = a.hi * b.hi;
+  if (std::isnan(w + x + y + z)) return {-kInfinity, kInfinity};
+  return outward(std::min({w, x, y, z}), std::max({w, x, y, z}));
+}
+Interval operator/(const Interval& a, const Interval& b) {
+  if (b.lo <= 0 && b.hi >= 0) return {-kInfinity, kInfinity};
+  const double w = a.lo / b.lo, x = a.lo / b.hi, y = a.hi / b.lo, z = a.hi / b.hi;
+  if (std::isnan(w + x + y + z)) return {-kInfinity, kInfinity};
+  return outward(std::min({w, x, y, z}), std::max({w, x, y, z}));
+}
+
+// mpq_get_d rounds towards zero: one step outwards encloses.
+Interval enclose_rational(const Rational& value) {
+  const double x = value.to_double();
+  return outward(x, x);
+}
+
+}  // namespace
+
+template <int D>
+Circumradius<D>::Circumradius(const Frame& frame, Predicates<D>& predicates)
+    : predicates_(&predicates), threshold_(frame.delta_squared * Rational(Integer(1), Integer(16))) {
+  threshold_interval_ = enclose_rational(threshold_);
+  int row_sum = 1;
+  for (const Isometry& g : frame.cosets)
+    for (int i = 0; i < D; ++i) {
+      Rational sum;
+      for (int j = 0; j < D; ++j) sum += abs(g.linear(i, j));
+      row_sum = std::max(row_sum, static_cast<int>(sum.numerator().to_long()));
+    }
+  row_sum_ = row_sum;
+  for (int i = 0; i < D; ++i)
+    for (int j = 0; j < D; ++j)
+      gram_[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = enclose_rational(frame.gram(i, j));
+}
+
+template <int D>
+Interval Circumradius<D>::enclose(const std::array<Lift, D + 1>& cell, double enough) const {
+  // The error of a lift's coordinate is below e = 2^-48 (rho + 1 + |x|) (filter.hpp).
+  std::array<std::array<Interval, D>, D> a;
+  std::array<Interval, D> q;
+  for (std::size_t k = 0; k < D; ++k) {
+    for (std::size_t i = 0; i < D; ++i) {
+      const double x = cell[k + 1].x[i], y = cell[0].x[i];
+      const double e = 2.25 * 0x1p-48 * (row_sum_ + 1 + std::max(std::fabs(x), std::fabs(y)));
+      const double difference = x - y;
+      a[k][i] = outward(difference - e, difference + e);
+    }
+    q[k] = {};
+    for (std::size_t i = 0; i < D; ++i)
+      for (std::size_t j = 0; j < D; ++j) q[k] = q[k] + gram_[i][j] * a[k][i] * a[k][j];
+    if (q[k].lo >= 4 * enough) return {q[k].lo / 4, kInfinity};  // the diameter is at least an edge
+  }
+  // Solve 2 A z = q for z = G c by Cramer; R^2 = z^T G^-1 z.
+  Interval det_g;
+  std::array<std::array<Interval, D>, D> adjoint;
+  std::array<Interval, D> y;
+  Interval det;
+  if constexpr (D == 2) {
+    det = a[0][0] * a[1][1] - a[0][1] * a[1][0];
+    y[0] = a[1][1] * q[0] - a[0][1] * q[1];
+    y[1] = a[0][0] * q[1] - a[1][0] * q[0];
+    det_g = gram_[0][0] * gram_[1][1] - gram_[0][1] * gram_[1][0];
+    adjoint[0][0] = gram_[1][1];
+    adjoint[1][1] = gram_[0][0];
+    adjoint[0][1] = adjoint[1][0] = Interval{} - gram_[0][1];
+  } else {
+    const auto cofactor = [](const auto& m, std::size_t i, std::size_t j) {
+      const std::size_t r0 = (i + 1) % 3, r1 = (i + 2) % 3, c0 = (j + 1) % 3, c1 = (j + 2) % 3;
+      return m[r0][c0] * m[r1][c1] - m[r0][c1] * m[r1][c0];
+    };
+    for (std::size_t i = 0; i < 3; ++i) {
+      y[i] = {};
+      for (std::size_t k = 0; k < 3; ++k) y[i] = y[i] + cofactor(a, k, i) * q[k];
+      for (std::size_t j = 0; j < 3; ++j) adjoint[i][j] = cofactor(gram_, i, j);
+    }
+    det = a[0][0] * cofactor(a, 0, 0) + a[0][1] * cofactor(a, 0, 1) + a[0][2] * cofactor(a, 0, 2);
+    det_g = gram_[0][0] * adjoint[0][0] + gram_[0][1] * adjoint[0][1] + gram_[0][2] * adjoint[0][2];
+  }
+  Interval numerator{};
+  for (std::size_t i = 0; i < D; ++i)
+    for (std::size_t j = 0; j < D; ++j) numerator = numerator + adjoint[i][j] * y[i] * y[j];
+  return numerator / (Interval{4, 4} * det * det * det_g);
+}
+
+template <int D>
+bool Circumradius<D>::is_large(const std::array<Lift, D + 1>& cell) {
+  const Interval r = enclose(cell, threshold_interval_.hi);
+  if (r.lo >= threshold_interval_.hi) return true;
+  if (r.hi < threshold_interval_.lo) return false;
+  CellPoints<D> points;
+  for (std::size_t k = 0; k <= D; ++k) points[k] = cell[k].point;
+  const auto [numerator, denominator] = predicates_->exact().squared_circumradius(points);
+  return numerator * threshold_.denominator() >= denominator * threshold_.numerator();
+}
+
+template <int D>
+Rational Circumradius<D>::squared_diameter(const std::vector<std::array<Lift, D + 1>>& cells) {
+  ensure(!cells.empty(), "a triangulation has a cell");
+  std::vector<Interval> enclosures;
+  double lower = -kInfinity;
+  for (const auto& cell : cells) {
+    enclosures.push_back(enclose(cell, kInfinity));
+    lower = std::max(lower, enclosures.back().lo);
+  }
+  Integer numerator = -1;
+  Integer denominator = 1;
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    if (enclosures[c].hi < lower) continue;
+    CellPoints<D> points;
+    for (std::size_t k = 0; k <= D; ++k) points[k] = cells[c][k].point;
+    const auto [n, m] = predicates_->exact().squared_circumradius(points);
+    if (n * denominator > numerator * m) {
+      numerator = n;
+      denominator = m;
+    }
+  }
+  return Rational(Integer(4) * numerator, denominator);
+}
+
+template class Circumradius<2>;
+template class Circumradius<3>;
+
+}  // namespace flatdt::ref

@@ -1,0 +1,160 @@
+#include "flatdt/ref/finite_star.hpp"
+
+#include <algorithm>
+#include <deque>
+#include <map>
+
+namespace flatdt::ref {
+namespace {
+
+Vector position(const GroupTable& table, const std::vector<Site>& sites, const OrbitPoint& p) {
+  const Site& site = sites[index_of(p.site)];
+  Vector x(table.dimension());
+  for (int i = 0; i < table.dimension(); ++i)
+    x[i] = Rational(Integer(site.numerators[static_cast<std::size_t>(i)]), Integer(site.denominator));
+  return table.isometry(p.g) * x;
+}
+
+Lift make_lift(const GroupTable& table, const std::vector<Site>& sites, const OrbitPoint& p) {
+  return {table.apply(p.g, sites[index_of(p.site)].approximate), p};
+}
+
+}  // namespace
+
+template <int D>
+FiniteStar<D>::FiniteStar(const GroupTable& table, const std::vector<Site>& sites, Predicates<D>& predicates,
+                          const OrbitPoint& q, const std::vector<OrbitPoint>& candidates)
+    : predicates_(&predicates), q_(make_lift(table, sites, q)) {
+  const Vector origin = position(table, sites, q);
+  for (const OrbitPoint& p : candidates) {
+    candidates_.push_back(make_lift(table, sites, p));
+    difference_.push_back(position(table, sites, p) - origin);
+  }
+}
+
+template <int D>
+std::array<Lift, D + 1> FiniteStar<D>::oriented(const Apexes& apexes, Sign& sign) {
+  std::array<Lift, D + 1> cell;
+  cell[0] = q_;
+  for (std::size_t k = 0; k < D; ++k) cell[k + 1] = candidates_[apexes[k]];
+  sign = predicates_->orientation(cell);
+  if (sign == Sign::negative) std::swap(cell[0], cell[1]);
+  return cell;
+}
+
+/// Is the ray u = (1, e, e^2, ...), e infinitesimal, inside the cone of the apexes at q? By Cramer: replacing
+/// column k by u must give the sign of the determinant, for every k; with u in place the determinant's sign
+/// is that of its first nonzero cofactor.
+template <int D>
+bool FiniteStar<D>::contains_ray(const Apexes& apexes) const {
+  Matrix a(D);
+  for (int k = 0; k < D; ++k) a.set_column(k, difference_[apexes[static_cast<std::size_t>(k)]]);
+  const Sign whole = a.determinant().sign();
+  if (whole == Sign::zero) return false;
+  for (int k = 0; k < D; ++k) {
+    Sign sign = Sign::zero;
+    for (int i = 0; i < D && sign == Sign::zero; ++i) {
+      Matrix replaced = a;
+      Vector unit(D);
+      unit[i] = 1;
+      replaced.set_column(k, unit);
+      sign = replaced.determinant().sign();
+    }
+    if (sign != whole) return false;
+  }
+  return true;
+}
+
+template <int D>
+typename FiniteStar<D>::Apexes FiniteStar<D>::first_cell() {
+  Apexes cell{};
+  for (std::size_t k = 0; k < D; ++k) cell[k] = k;
+  ensure(contains_ray(cell), "the first candidates' cone contains the ray");
+  // Simplex method: every pivot strictly lowers the perturbed lifted height beside q on the ray, so no cell
+  // recurs and the loop ends; a candidate in conflict always leaves exactly one cell that contains the ray
+  // (ratio test).
+  for (bool improved = true; improved;) {
+    improved = false;
+    for (std::size_t w = 0; w < candidates_.size(); ++w) {
+      if (std::find(cell.begin(), cell.end(), w) != cell.end()) continue;
+      Sign sign = Sign::zero;
+      const std::array<Lift, D + 1> lifts = oriented(cell, sign);
+      if (!predicates_->conflict_sos(lifts, candidates_[w])) continue;
+      std::size_t leaving = D;
+      for (std::size_t k = 0; k < D; ++k) {
+        Apexes next = cell;
+        next[k] = w;
+        if (contains_ray(next)) leaving = k;
+      }
+      ensure(leaving < D, "a point in conflict can enter the basis");
+      cell[leaving] = w;
+      improved = true;
+    }
+  }
+  return cell;
+}
+
+template <int D>
+typename FiniteStar<D>::Apexes FiniteStar<D>::wrap(const Apexes& apexes, std::size_t opposite) {
+  Sign side = Sign::zero;
+  static_cast<void>(oriented(apexes, side));
+  std::size_t best = candidates_.size();
+  Apexes cell = apexes;
+  for (std::size_t w = 0; w < candidates_.size(); ++w) {
+    if (std::find(apexes.begin(), apexes.end(), w) != apexes.end()) continue;
+    Apexes next = apexes;
+    next[opposite] = w;
+    Sign sign = Sign::zero;
+    static_cast<void>(oriented(next, sign));
+    if (sign != -side) continue;
+    if (best != candidates_.size()) {
+      Sign ignored = Sign::zero;
+      if (!predicates_->conflict_sos(oriented(cell, ignored), candidates_[w])) continue;
+    }
+    best = w;
+    cell = next;
+  }
+  ensure(best != candidates_.size(), "q is in the interior of the candidates' convex hull");
+  return cell;
+}
+
+template <int D>
+std::vector<CellPoints<D>> FiniteStar<D>::cells() {
+  std::set<std::array<std::size_t, D>> found;
+  std::map<std::array<std::size_t, D - 1>, int> facets;  // cells seen on a facet through q
+  std::deque<Apexes> open;
+  const auto facet_of = [](const Apexes& cell, std::size_t opposite) {
+    std::array<std::size_t, D - 1> facet{};
+    for (std::size_t j = 0, i = 0; j < D; ++j)
+      if (j != opposite) facet[i++] = cell[j];
+    return facet;  // sorted, since cells are
+  };
+  const auto take = [&](Apexes cell) {
+    std::sort(cell.begin(), cell.end());
+    if (!found.insert(cell).second) return;
+    for (std::size_t k = 0; k < D; ++k) ++facets[facet_of(cell, k)];
+    open.push_back(cell);
+  };
+  take(first_cell());
+  // Bounded: a finite set has finitely many cells and each is opened once.
+  while (!open.empty()) {
+    const Apexes cell = open.front();
+    open.pop_front();
+    for (std::size_t k = 0; k < D; ++k)
+      if (facets[facet_of(cell, k)] < 2) take(wrap(cell, k));
+  }
+  for (const auto& [facet, count] : facets) ensure(count == 2, "the star of q is closed");
+  std::vector<CellPoints<D>> result;
+  for (const auto& cell : found) {
+    CellPoints<D> points;
+    points[0] = q_.point;
+    for (std::size_t k = 0; k < D; ++k) points[k + 1] = candidates_[cell[k]].point;
+    result.push_back(points);
+  }
+  return result;
+}
+
+template class FiniteStar<2>;
+template class FiniteStar<3>;
+
+}  // namespace flatdt::ref

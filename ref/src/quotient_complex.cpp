@@ -1,0 +1,149 @@
+#include "flatdt/ref/quotient_complex.hpp"
+
+#include <algorithm>
+
+namespace flatdt::ref {
+
+template <int D>
+void QuotientComplex<D>::add_site(SiteId site) {
+  ensure(!has_site(site), "a site is added once");
+  first_vertex_[index_of(site)] = static_cast<std::uint32_t>(vertices_.size());
+  for (std::uint32_t rep = 0; rep < subgroup_.index(); ++rep) {
+    const OrbitPoint point{site, subgroup_.representative(rep)};
+    vertices_.push_back({lift(point).x, point, kNoCell});
+  }
+}
+
+template <int D>
+CellId QuotientComplex<D>::new_cell() {
+  CellId c = kNoCell;
+  if (!free_.empty()) {
+    c = free_.back();
+    free_.pop_back();
+  } else {
+    if (cells_.size() >= index_of(kNoCell)) throw LimitReached("more than 2^32 - 1 cells");
+    c = CellId{static_cast<std::uint32_t>(cells_.size())};
+    cells_.emplace_back();
+  }
+  cell(c).alive = true;
+  return c;
+}
+
+template <int D>
+void QuotientComplex<D>::delete_cell(CellId c) {
+  cell(c).alive = false;
+  free_.push_back(c);
+}
+
+template <int D>
+void QuotientComplex<D>::assemble(const std::vector<CellPoints<D>>& cells, Predicates<D>& predicates) {
+  ensure(cells_.empty(), "assemble fills an empty complex");
+  struct FacetOccurrence {
+    std::array<OrbitPoint, D> key;
+    Element multiplier;
+    CellId cell;
+    std::uint32_t facet;
+  };
+  std::vector<FacetOccurrence> facets;
+  facets.reserve(cells.size() * (D + 1));
+  cells_.reserve(cells.size());
+  for (CellPoints<D> points : cells) {
+    std::array<Lift, D + 1> lifts;
+    for (std::size_t k = 0; k <= D; ++k) lifts[k] = lift(points[k]);
+    const Sign sign = predicates.orientation(lifts);
+    ensure(sign != Sign::zero, "a cell is not flat");
+    if (sign == Sign::negative) std::swap(points[0], points[1]);
+    const CellId id = new_cell();
+    for (std::size_t k = 0; k <= D; ++k) {
+      const Subgroup::Split split = subgroup_.split(points[k].g);
+      const VertexId v = vertex_of(points[k].site, split.rep);
+      cell(id).vertex[k] = v;
+      cell(id).offset[k] = split.s;
+      vertex(v).cell = id;
+    }
+    for (std::size_t k = 0; k <= D; ++k) {
+      std::array<OrbitPoint, D> face;
+      for (std::size_t j = 0, i = 0; j <= D; ++j)
+        if (j != k) face[i++] = points[j];
+      const CanonicalFace<D> canonical = canonical_face<D>(*table_, subgroup_, face);
+      facets.push_back({canonical.key, canonical.multiplier, id, static_cast<std::uint32_t>(k)});
+    }
+  }
+  std::sort(facets.begin(), facets.end(), [](const FacetOccurrence& a, const FacetOccurrence& b) {
+    if (a.key != b.key) return a.key < b.key;
+    return a.cell != b.cell ? a.cell < b.cell : a.facet < b.facet;
+  });
+  ensure(facets.size() % 2 == 0, "every facet modulo H occurs exactly twice");
+  for (std::size_t i = 0; i < facets.size(); i += 2) {
+    const FacetOccurrence& a = facets[i];
+    const FacetOccurrence& b = facets[i + 1];
+    ensure(a.key == b.key && (i + 2 == facets.size() || facets[i + 2].key != a.key),
+           "every facet modulo H occurs exactly twice");
+    // a.n * facet_a = key = b.n * facet_b, so the neighbour across facet_a is (a.n^-1 b.n) * cell_b.
+    const Element gluing = table_->multiply(table_->inverse(a.multiplier), b.multiplier);
+    cell(a.cell).neighbour[a.facet] = b.cell;
+    cell(a.cell).gluing[a.facet] = gluing;
+    cell(b.cell).neighbour[b.facet] = a.cell;
+    cell(b.cell).gluing[b.facet] = table_->inverse(gluing);
+  }
+}
+
+template <int D>
+std::vector<CellPoints<D>> QuotientComplex<D>::all_cells() const {
+  std::vector<CellPoints<D>> cells;
+  cells.reserve(cell_count());
+  for (std::uint32_t c = 0; c < cells_.size(); ++c)
+    if (cells_[c].alive) cells.push_back(base_points(CellId{c}));
+  return cells;
+}
+
+template <int D>
+std::optional<std::vector<CellPoints<D>>> cells_modulo(const GroupTable& table, const Subgroup& group,
+                                                       const std::vector<CellPoints<D>>& cells,
+                                                       std::uint32_t multiplicity) {
+  std::vector<CellPoints<D>> keys;
+  keys.reserve(cells.size());
+  for (const CellPoints<D>& cell : cells) keys.push_back(canonical_face<D + 1>(table, group, cell).key);
+  std::sort(keys.begin(), keys.end());
+  std::vector<CellPoints<D>> result;
+  result.reserve(keys.size() / multiplicity + 1);
+  for (std::size_t i = 0; i < keys.size();) {
+    std::size_t end = i;
+    while (end < keys.size() && keys[end] == keys[i]) ++end;
+    if (end - i != multiplicity) return std::nullopt;
+    result.push_back(keys[i]);
+    i = end;
+  }
+  return result;
+}
+
+template <int D>
+std::vector<CellPoints<D>> unfold(const GroupTable& table, const Subgroup& group, const Subgroup& target,
+                                  const std::vector<CellPoints<D>>& cells) {
+  std::vector<Element> representatives;
+  for (std::uint32_t rep = 0; rep < target.index(); ++rep)
+    if (group.split(target.representative(rep)).rep == 0)
+      representatives.push_back(target.representative(rep));
+  std::vector<CellPoints<D>> result;
+  result.reserve(cells.size() * representatives.size());
+  for (const CellPoints<D>& cell : cells)
+    for (const Element& r : representatives)
+      result.push_back(canonical_face<D + 1>(table, target, moved<D + 1>(table, r, cell)).key);
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+template class QuotientComplex<2>;
+template class QuotientComplex<3>;
+template std::optional<std::vector<CellPoints<2>>> cells_modulo<2>(const GroupTable&, const Subgroup&,
+                                                                   const std::vector<CellPoints<2>>&,
+                                                                   std::uint32_t);
+template std::optional<std::vector<CellPoints<3>>> cells_modulo<3>(const GroupTable&, const Subgroup&,
+                                                                   const std::vector<CellPoints<3>>&,
+                                                                   std::uint32_t);
+template std::vector<CellPoints<2>> unfold<2>(const GroupTable&, const Subgroup&, const Subgroup&,
+                                              const std::vector<CellPoints<2>>&);
+template std::vector<CellPoints<3>> unfold<3>(const GroupTable&, const Subgroup&, const Subgroup&,
+                                              const std::vector<CellPoints<3>>&);
+
+}  // namespace flatdt::ref

@@ -1,0 +1,99 @@
+#include "flatdt/ref/sites.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace flatdt::ref {
+namespace {
+
+constexpr std::size_t kMaxDenominatorBits = 65536;
+// Below this size one common denominator for all sites makes the exact predicates cheapest (no rescaling);
+// above it the cost of long numbers in every predicate outweighs the cost of rescaling d+2 points.
+constexpr std::size_t kCommonDenominatorBits = 256;
+
+struct Canonical {
+  Vector c;           // canonical representative, catalogue coordinates
+  Isometry to_point;  // p = to_point * c, catalogue coordinates
+  std::uint32_t point;
+};
+
+Vector floor_vector(const Vector& v) {
+  Vector f(v.dimension());
+  for (int i = 0; i < v.dimension(); ++i) f[i] = Rational(floor(v[i]));
+  return f;
+}
+
+Integer common_denominator(const Vector& v) {
+  Integer d = 1;
+  for (int i = 0; i < v.dimension(); ++i) d = lcm(d, v[i].denominator());
+  return d;
+}
+
+}  // namespace
+
+std::vector<Site> make_sites(const Frame& frame, const std::vector<Vector>& points) {
+  const int d = frame.dimension;
+  const Matrix to_frame = frame.basis.inverse();
+  const Matrix from_catalogue = frame.to_catalogue.inverse();
+  const Isometry to_catalogue{frame.to_catalogue, Vector(d)};
+  const Isometry to_catalogue_inverse{from_catalogue, Vector(d)};
+  std::vector<Isometry> cosets;
+  for (const Isometry& g : frame.cosets) cosets.push_back(to_catalogue * g * to_catalogue_inverse);
+
+  std::vector<Canonical> all;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vector x = frame.to_catalogue * (to_frame * (points[i] - frame.origin));
+    std::optional<Canonical> best;
+    for (const Isometry& r : cosets) {
+      const Vector y = r * x;
+      const Vector shift = floor_vector(y);
+      const Vector c = y - shift;
+      // c = (T(-shift) r) x, so x = (T(-shift) r)^-1 c.
+      if (!best || c < best->c)
+        best = Canonical{c, (Isometry::translate(-shift) * r).inverse(), static_cast<std::uint32_t>(i)};
+    }
+    all.push_back(std::move(*best));
+  }
+  std::sort(all.begin(), all.end(), [](const Canonical& a, const Canonical& b) {
+    const auto order = a.c <=> b.c;
+    return order != std::strong_ordering::equal ? order == std::strong_ordering::less : a.point < b.point;
+  });
+  all.erase(
+      std::unique(all.begin(), all.end(), [](const Canonical& a, const Canonical& b) { return a.c == b.c; }),
+      all.end());
+
+  const Integer translation_denominator(static_cast<long>(frame.translation_denominator));
+  std::vector<Site> sites;
+  std::vector<Vector> positions;
+  Integer common = translation_denominator;
+  for (const Canonical& k : all) {
+    const Vector y = from_catalogue * k.c;
+    const Vector shift = floor_vector(y);
+    positions.push_back(y - shift);
+    if (common.bits() <= kCommonDenominatorBits) common = lcm(common, common_denominator(positions.back()));
+    Site site;
+    site.point = k.point;
+    // p = to_point c (catalogue) = (F^-1 to_point F) T(shift) d in the frame, F = to_catalogue.
+    site.from_site = to_catalogue_inverse * k.to_point * to_catalogue * Isometry::translate(shift);
+    sites.push_back(std::move(site));
+  }
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    Site& site = sites[i];
+    const Integer own = lcm(translation_denominator, common_denominator(positions[i]));
+    if (own.bits() > kMaxDenominatorBits)
+      throw LimitReached("point " + std::to_string(site.point) + " has a common denominator of " +
+                         std::to_string(own.bits()) + " bits in the lattice frame; the limit is 65536");
+    const Integer denominator = common.bits() <= kCommonDenominatorBits ? common : own;
+    site.denominator = denominator.mpz();
+    for (int j = 0; j < d; ++j) {
+      const auto k = static_cast<std::size_t>(j);
+      const Rational scaled = positions[i][j] * Rational(denominator);
+      ensure(scaled.is_integer(), "the denominator clears every coordinate");
+      site.numerators[k] = scaled.numerator().mpz();
+      site.approximate[k] = positions[i][j].to_double();
+    }
+  }
+  return sites;
+}
+
+}  // namespace flatdt::ref
