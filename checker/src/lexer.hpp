@@ -1,0 +1,56 @@
+// Tokens of both file formats, with their line numbers.
+// Invariants: memory is one buffer and one token, whatever the file.   Source: FORMAT.md, "Lexical rules".
+#pragma once
+
+#include <cstdint>
+#include <istream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "flatdt/checker/exact.hpp"
+
+namespace flatdt::checker {
+
+inline constexpr std::size_t kMaxTokenBytes = 4096;
+
+class Lexer {
+ public:
+  Lexer(std::istream& in, std::string file);
+
+  /// The next token, valid until the next call; empty exactly at the end of the file.
+  /// Errors: MalformedInput for a byte that is not allowed, a token too long, or a file ending directly after a token.
+  std::string_view next();
+
+  /// The next token, which must be `word`.
+  void expect(std::string_view word);
+  /// The next token as [0-9]+ of value in [least, most]; `what` names it in errors.
+  std::uint64_t count(std::string_view what, std::uint64_t least, std::uint64_t most);
+  /// The next token as a NUMBER.
+  Rational number(std::string_view what);
+  /// Fails unless the file has ended.
+  void expect_end();
+
+  [[noreturn]] void fail(const std::string& reason) const;
+  /// The current token for an error message: quoted, shortened, or "the end of the file".
+  [[nodiscard]] std::string found() const;
+  /// "file:line" of the current token.
+  [[nodiscard]] std::string location() const;
+
+ private:
+  int get();
+
+  std::istream& in_;
+  std::string file_;
+  std::string token_;
+  std::vector<char> buffer_;
+  std::size_t position_ = 0;
+  std::size_t filled_ = 0;
+  std::size_t line_ = 1;        // of the next byte
+  std::size_t token_line_ = 1;  // of the token
+};
+
+/// The value of a NUMBER token, without rounding. Errors: std::invalid_argument saying what is wrong.
+[[nodiscard]] Rational parse_number(std::string_view token);
+
+}  // namespace flatdt::checker

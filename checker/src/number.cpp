@@ -1,0 +1,111 @@
+// NUMBER tokens: rationals, decimals and hexadecimals, read without rounding.
+// The grammar is checked by hand before GMP sees a digit: GMP would accept white space and other bases, and it raises
+// SIGFPE on a zero denominator.   Source: FORMAT.md, "Lexical rules".
+#include <stdexcept>
+#include <string>
+
+#include "lexer.hpp"
+
+namespace flatdt::checker {
+namespace {
+
+constexpr long kMaxDecimalExponent = 1100;
+constexpr long kMaxBinaryExponent = 4400;
+
+bool is_digit(char c, int base) {
+  if (c >= '0' && c <= '9') return true;
+  return base == 16 && ((c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F'));
+}
+
+/// Consumes the longest prefix of digits.
+std::string take_digits(std::string_view& rest, int base) {
+  std::size_t n = 0;
+  while (n < rest.size() && is_digit(rest[n], base)) ++n;
+  std::string digits(rest.substr(0, n));
+  rest.remove_prefix(n);
+  return digits;
+}
+
+bool take(std::string_view& rest, char lower, char upper) {
+  if (rest.empty() || (rest[0] != lower && rest[0] != upper)) return false;
+  rest.remove_prefix(1);
+  return true;
+}
+
+bool take_minus(std::string_view& rest) {
+  const bool minus = take(rest, '-', '-');
+  if (!minus) take(rest, '+', '+');
+  return minus;
+}
+
+/// The rest of the token as [+-]?[0-9]+ of absolute value at most `limit`.
+long take_exponent(std::string_view& rest, long limit) {
+  const bool minus = take_minus(rest);
+  const std::string digits = take_digits(rest, 10);
+  if (digits.empty()) throw std::invalid_argument("an exponent needs digits");
+  long value = 0;
+  for (const char c : digits) {
+    if (value <= limit) value = 10 * value + (c - '0');  // stops growing once above the limit
+  }
+  if (value > limit) throw std::invalid_argument("exponent beyond " + std::to_string(limit));
+  return minus ? -value : value;
+}
+
+/// mantissa * base^exponent.
+Rational scaled(const Integer& mantissa, unsigned long base, long exponent) {
+  Integer power;
+  mpz_ui_pow_ui(power.get_mpz_t(), base, static_cast<unsigned long>(exponent < 0 ? -exponent : exponent));
+  Rational value(mantissa);
+  if (exponent < 0) {
+    value /= Rational(power);
+  } else {
+    value *= Rational(power);
+  }
+  return value;
+}
+
+/// What follows the digits before the point.
+Rational parse_positional(std::string_view rest, const std::string& whole, int base) {
+  std::string fraction;
+  if (take(rest, '.', '.')) fraction = take_digits(rest, base);
+  if (whole.empty() && fraction.empty()) throw std::invalid_argument("a number needs digits");
+  const long places = static_cast<long>(fraction.size());
+  const Integer mantissa(whole + fraction, base);
+  long exponent = 0;
+  if (base == 16) {
+    if (take(rest, 'p', 'P')) exponent = take_exponent(rest, kMaxBinaryExponent);
+  } else if (take(rest, 'e', 'E')) {
+    exponent = take_exponent(rest, kMaxDecimalExponent);
+  }
+  if (!rest.empty()) throw std::invalid_argument("not a rational, decimal or hexadecimal number");
+  return base == 16 ? scaled(mantissa, 2, exponent - 4 * places) : scaled(mantissa, 10, exponent - places);
+}
+
+Rational parse_magnitude(std::string_view rest) {
+  std::string_view after = rest;
+  if (take(after, '0', '0') && take(after, 'x', 'X')) {
+    const std::string hexadecimal = take_digits(after, 16);
+    return parse_positional(after, hexadecimal, 16);
+  }
+  const std::string whole = take_digits(rest, 10);
+  if (rest.empty() && !whole.empty()) return Rational(Integer(whole, 10));
+  if (whole.empty() || !take(rest, '/', '/')) return parse_positional(rest, whole, 10);
+  const std::string below = take_digits(rest, 10);
+  if (below.empty() || !rest.empty()) throw std::invalid_argument("a rational is [+-]?[0-9]+/[0-9]+");
+  const Integer denominator(below, 10);
+  if (denominator == 0) throw std::invalid_argument("the denominator is zero");
+  Rational value(Integer(whole, 10), denominator);
+  value.canonicalize();
+  return value;
+}
+
+}  // namespace
+
+Rational parse_number(std::string_view token) {
+  const bool minus = take_minus(token);
+  Rational value = parse_magnitude(token);
+  if (minus) value = -value;
+  return value;
+}
+
+}  // namespace flatdt::checker
