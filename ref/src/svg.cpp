@@ -13,6 +13,8 @@ using namespace svg_detail;
 
 constexpr double kCaptionHeight = 34;
 constexpr std::size_t kMaxLabels = 1500;
+constexpr double kFar = 1e7;  // page units
+constexpr const char* kTooFar = "What was found is too far away to be drawn.";
 
 /// The picture has its own paper, so it can be read on any background; it follows the viewer's colour scheme.
 constexpr const char* kStyle =
@@ -39,13 +41,20 @@ constexpr const char* kStyle =
     "}\n"
     "</style>\n";
 
-/// Two decimals; printf would follow the locale.
+/// Two decimals; printf would follow the locale. Requires: |value| < 1e9.
 std::string text(double value) {
-  const long long hundredths = std::llround(std::clamp(value, -1e9, 1e9) * 100);
+  const long long hundredths = std::llround(value * 100);
   const long long size = hundredths < 0 ? -hundredths : hundredths;
   const std::string fraction = std::to_string(size % 100);
   return (hundredths < 0 ? "-" : "") + std::to_string(size / 100) + (size % 100 == 0 ? "" : ".") +
          (size % 100 == 0 ? "" : (fraction.size() == 1 ? "0" : "") + fraction);
+}
+
+/// Places of hostile triangulations may be infinite or not a number: those cannot be shown.
+template <typename Places>
+bool is_drawable(const Places& places) {
+  return std::all_of(std::begin(places), std::end(places),
+                     [](const Place& p) { return std::abs(p.x) < kFar && std::abs(p.y) < kFar; });
 }
 
 std::string escaped(const std::string& plain) {
@@ -156,7 +165,9 @@ std::string cycle_text(const std::vector<Triangle>& triangles, const Shown& show
                               : "2-cycle: the edges from (" + cycle->middle.to_string() + ") to (" +
                                     cycle->end.to_string() + ") and to (" + cycle->other_end.to_string() +
                                     ") have the same ends in the quotient.");
-  return path(places, false, "cycle");
+  if (is_drawable(places)) return path(places, false, "cycle");
+  notes.emplace_back(kTooFar);
+  return {};
 }
 
 std::string violation_text(const Instance& instance, const std::vector<Triangle>& triangles,
@@ -173,10 +184,14 @@ std::string violation_text(const Instance& instance, const std::vector<Triangle>
                   std::to_string(found->point) + " inside, at (" + found->inside.to_string() +
                   "): squared distance from the centre " + found->distance_squared.to_string() +
                   " < squared radius " + found->radius_squared.to_string() + ".");
-  std::array<Place, 3> corners{};
-  for (std::size_t k = 0; k < 3; ++k) corners[k] = page.place(triangles[found->cell][k] + shift);
-  return circle(page.place(found->centre + shift), radius, "disk") + path(corners, true, "cycle") +
-         circle(page.place(found->inside + shift), 8, "inside");
+  std::array<Place, 5> places{page.place(found->centre + shift), page.place(found->inside + shift)};
+  for (std::size_t k = 0; k < 3; ++k) places[2 + k] = page.place(triangles[found->cell][k] + shift);
+  if (!is_drawable(places) || !(radius < kFar)) {
+    notes.emplace_back(kTooFar);
+    return {};
+  }
+  const std::array<Place, 3> corners = {places[2], places[3], places[4]};
+  return circle(places[0], radius, "disk") + path(corners, true, "cycle") + circle(places[1], 8, "inside");
 }
 
 }  // namespace
