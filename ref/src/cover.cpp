@@ -2,6 +2,7 @@
 #include "flatdt/ref/cover.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,9 +24,13 @@ Rational single_copy_bound(const Matrix& gram) {
   return Rational(16) * covering_radius_squared(gram);
 }
 
-[[noreturn]] void throw_too_many(const std::string& sheets, long max_sheets) {
-  throw LimitReached("a covering space that is safe for copies inserted one at a time has " + sheets +
-                     " sheets; the limit is " + std::to_string(max_sheets));
+[[noreturn]] void throw_too_many(const std::string& relation, const Integer& sheets, long max_sheets) {
+  // The number of a hostile metric may have thousands of digits.
+  const std::string digits = sheets.to_string();
+  throw LimitReached(
+      "a covering space that is safe for copies inserted one at a time has " +
+      (digits.size() > 18 ? "more than 10^" + std::to_string(digits.size() - 1) : relation + digits) +
+      " sheets; the limit is " + std::to_string(max_sheets));
 }
 
 /// <c_1 e_1, .., c_d e_d>. A lattice of known safety and invariance, small or not.
@@ -40,7 +45,7 @@ struct DiagonalLattice {
 
 Sublattice to_sublattice(const DiagonalLattice& lattice, const Frame& frame, long max_sheets) {
   const Integer sheets = lattice.index() * Integer(holonomy_order(frame));
-  if (sheets > Integer(max_sheets)) throw_too_many(sheets.to_string(), max_sheets);
+  if (sheets > Integer(max_sheets)) throw_too_many("", sheets, max_sheets);
   Sublattice result{Matrix(frame.dimension), lattice.index().to_long(), sheets.to_long()};
   for (int i = 0; i < frame.dimension; ++i) result.basis(i, i) = lattice.factors[static_cast<std::size_t>(i)];
   return result;
@@ -87,13 +92,14 @@ Integer hermite_lower_bound(const Matrix& gram, const Rational& bound) {
 /// only: 4^d closest-vector problems, whatever the metric.
 std::vector<Vector> vectors_of_four_cells(const Matrix& gram) {
   const int d = gram.dimension();
+  const ReducedBasis reduced = reduce_basis(gram);
   std::vector<Vector> found;
   for (int code = 0; code < (d == 2 ? 16 : 64); ++code) {
     Vector c(d);
     for (int i = 0, rest = code; i < d; ++i, rest /= 4) c[i] = rest % 4;
-    for (const Vector& s : closest_vectors(gram, Rational(Integer(1), Integer(4)) * c)) {
+    for (const Vector& s : closest_vectors(reduced.gram, Rational(Integer(1), Integer(4)) * c)) {
       const Vector g = c - Rational(4) * s;
-      if (!g.is_zero()) found.push_back(g);
+      if (!g.is_zero()) found.push_back(reduced.transform * g);
     }
   }
   return found;
@@ -110,24 +116,26 @@ Sublattice one_at_a_time_cover(const Frame& frame, long max_sheets) {
   const Integer least = hermite_lower_bound(frame.gram, bound);
   const long max_index = max_sheets / holonomy_order(frame);
   if (least > Integer(max_index))
-    throw_too_many("at least " + (least * Integer(holonomy_order(frame))).to_string(), max_sheets);
+    throw_too_many("at least ", least * Integer(holonomy_order(frame)), max_sheets);
 
   const DiagonalLattice product = product_lattice(frame), multiple = theorem10_lattice(frame);
   const DiagonalLattice& simple = product.index() <= multiple.index() ? product : multiple;
-  if (least > Integer(kMaxSearchedIndex)) return to_sublattice(simple, frame, max_sheets);
+  if (least > Integer(frame.dimension == 2 ? kMaxSearchedIndexInPlane : kMaxSearchedIndexInSpace))
+    return to_sublattice(simple, frame, max_sheets);
 
   // Some lattice of the index of `simple` passes, so the loop ends there at the latest.
-  SublatticeSearch search(frame, short_vectors(frame.gram, bound));
+  SublatticeSearch search(frame, short_vectors(frame.gram, bound), kMaxSearchWork);
   for (long index = least.to_long(); index <= max_index; ++index) {
     if (auto found = search.least_of_index(index)) return *std::move(found);
+    if (search.exhausted()) return to_sublattice(simple, frame, max_sheets);
     ensure(Integer(index) < simple.index(), "the search finds the product lattice");
-    if (search.work() > kMaxSearchWork) return to_sublattice(simple, frame, max_sheets);
   }
-  throw_too_many("more than " + std::to_string(max_index * holonomy_order(frame)), max_sheets);
+  throw_too_many("more than ", max_index * holonomy_order(frame), max_sheets);
 }
 
 Sublattice complete_orbit_cover(const Frame& frame) {
-  SublatticeSearch search(frame, vectors_of_four_cells(frame.gram));
+  // At most 27 indices and 250 vectors: no limit on the work.
+  SublatticeSearch search(frame, vectors_of_four_cells(frame.gram), std::numeric_limits<long>::max());
   for (long index = 1; index <= (frame.dimension == 2 ? 9 : 27); ++index)
     if (auto found = search.least_of_index(index)) return *std::move(found);
   throw InternalError("3L meets 4V in 0 only");

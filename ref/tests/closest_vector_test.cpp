@@ -59,6 +59,25 @@ TEST(ClosestVectors, OfTheCentreOfACubeAreItsCorners) {
   EXPECT_EQ(corners.back().to_string(), "4 4 4");
 }
 
+TEST(ShortVectors, AreAllOfABall) {
+  Random random(1);
+  for (int round = 0; round < 60; ++round) {
+    const int d = uniform(random, 2, 3);
+    const Matrix gram = reduce_basis(random_gram(random, d, uniform(random, 1, 4))).gram;
+    // Often attained: the ball is closed. The box of 5 holds twice the shortest length.
+    const Rational bound = Rational(uniform(random, 1, 4)) * shortest_squared_length(gram);
+    std::vector<Vector> expected;
+    for (const Vector& v : box(d, 5))
+      if (!v.is_zero() && squared_length(gram, v) <= bound) expected.push_back(v);
+    std::vector<Vector> found = short_vectors(gram, bound);
+    std::sort(found.begin(), found.end());
+    EXPECT_EQ(found, expected);
+    EXPECT_FALSE(found.empty());
+  }
+  EXPECT_TRUE(short_vectors(Matrix::identity(3), Rational(0)).empty());
+  EXPECT_TRUE(short_vectors(Matrix::identity(2), Rational(-1)).empty());
+}
+
 TEST(ShortestVector, AgreesWithExhaustion) {
   Random random(1);
   for (int round = 0; round < 200; ++round) {
