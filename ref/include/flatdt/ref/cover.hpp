@@ -28,13 +28,13 @@ Sublattice theorem10_cover(const Frame& frame, long max_sheets);
 /// The sublattice of least index (ties: least Hermite normal form, column by column) that is invariant under
 /// the holonomy and in which every nonzero vector is longer than 4 mu: safe for copies inserted one at a time
 /// (Theorem 4). Throws LimitReached if it has more than max_sheets sheets.
-/// The search is not begun where Hermite's constant asks for an index above kMaxSearchedIndex, and given up
-/// after kMaxSearchWork steps. Then the answer is the one of least index among theorem10_cover and the
-/// product lattice <c_1 e_1, .., c_d e_d>, c_i the least integer such that c_i times the height of e_i over
-/// the other basis vectors exceeds 4 mu, raised to the maximum over each block of coordinates that the
-/// holonomy mixes. It is as safe, only larger. Which of the two happens depends on the frame alone (steps are
-/// counted, not seconds). The search is complete for axis ratios up to 1:1:10 or 1:5000 in 2D, in well under
-/// a second.
+/// The search is not begun where Hermite's constant asks for an index above kMaxSearchedIndexInPlane or
+/// kMaxSearchedIndexInSpace, and given up after kMaxSearchWork steps. Then the answer is the one of least
+/// index among theorem10_cover and the product lattice <c_1 e_1, .., c_d e_d>, c_i the least integer such
+/// that c_i times the height of e_i over the other basis vectors exceeds 4 mu, raised to the maximum over
+/// each block of coordinates that the holonomy mixes. It is as safe, only larger. Which of the two happens
+/// depends on the frame alone (steps are counted, not seconds). The search is complete for axis ratios up to
+/// 1:1:10 or 1:5000 in 2D, in about a second at most.
 Sublattice one_at_a_time_cover(const Frame& frame, long max_sheets);
 inline constexpr long kMaxSearchedIndexInPlane = 20000;
 /// The steps of one index grow with its square in 3D.
