@@ -50,10 +50,24 @@ class InstanceElements {
         to_instance_{frame.basis, frame.origin},
         from_instance_(to_instance_.inverse()) {
     for (const Site& site : sites) point_to_site_.push_back(site.from_site.inverse() * from_instance_);
+    untranslated_.resize(sites.size() * static_cast<std::size_t>(table.cosets()));
   }
   /// The element e of the instance's group with e * points[site.point] = p.
-  [[nodiscard]] Isometry at(const OrbitPoint& p) const {
-    return to_instance_ * table_->isometry(p.g) * point_to_site_[index_of(p.site)];
+  [[nodiscard]] Isometry at(const OrbitPoint& p) {
+    // Products of rational matrices once for each site and coset; a translation then only adds lattice
+    // vectors.
+    std::optional<Isometry>& base =
+        untranslated_[index_of(p.site) * static_cast<std::size_t>(table_->cosets()) + p.g.coset];
+    if (!base)
+      base = to_instance_ * table_->isometry(Element{{}, p.g.coset}) * point_to_site_[index_of(p.site)];
+    Isometry element = *base;
+    for (int j = 0; j < table_->dimension(); ++j) {
+      const long t = p.g.t[static_cast<std::size_t>(j)];
+      if (t == 0) continue;
+      for (int i = 0; i < table_->dimension(); ++i)
+        element.translation[i] += Rational(t) * to_instance_.linear(i, j);
+    }
+    return element;
   }
   /// For an edge from site a to g * (site b): the element e with the edge from points[a] to e * points[b].
   [[nodiscard]] Isometry between(SiteId a, const OrbitPoint& b) const {
@@ -68,11 +82,12 @@ class InstanceElements {
   Isometry to_instance_;
   Isometry from_instance_;
   std::vector<Isometry> point_to_site_;
+  std::vector<std::optional<Isometry>> untranslated_;
 };
 
 template <int D>
 Triangulation to_triangulation(const std::vector<CellPoints<D>>& cells, const std::vector<Site>& sites,
-                               const InstanceElements& elements) {
+                               InstanceElements& elements) {
   Triangulation result;
   result.dimension = D;
   std::map<Isometry, std::uint32_t> numbers;
@@ -190,7 +205,7 @@ class Run {
     return reason;
   }
 
-  StayedInCover not_invariant(const std::vector<CellPoints<D>>& cells) const {
+  StayedInCover not_invariant(const std::vector<CellPoints<D>>& cells) {
     const Subgroup& group = order_.invariance_group();
     const Element a = group.representative(1);
     for (const CellPoints<D>& cell : cells) {
