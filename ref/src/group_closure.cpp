@@ -7,6 +7,7 @@
 #include "flatdt/ref/errors.hpp"
 #include "flatdt/ref/lattice.hpp"
 #include "group_parts.hpp"
+#include "group_translations.hpp"
 
 namespace flatdt::ref {
 namespace {
@@ -68,10 +69,10 @@ std::vector<Isometry> distinct_linear_parts(const std::vector<Isometry>& generat
 /// generators of its translations.
 class Closure {
  public:
-  explicit Closure(int dimension) : lattice_(dimension) { insert(Isometry::identity(dimension)); }
+  explicit Closure(int dimension) : translations_(dimension) { insert(Isometry::identity(dimension)); }
 
   [[nodiscard]] const std::vector<Isometry>& representatives() const { return representatives_; }
-  HermiteBasis& lattice() { return lattice_; }
+  TranslationSum& translations() { return translations_; }
   [[nodiscard]] bool has(const Matrix& linear) const { return index_.count(linear) > 0; }
   [[nodiscard]] const Isometry& representative(const Matrix& linear) const {
     return representatives_[index_.at(linear)];
@@ -91,7 +92,7 @@ class Closure {
   void add_product(const Isometry& product) {
     check_size(product);
     if (has(product.linear))
-      lattice_.add(product.translation - representative(product.linear).translation);
+      translations_.add(product.translation - representative(product.linear).translation);
     else
       insert(product);
   }
@@ -103,7 +104,7 @@ class Closure {
 
   std::vector<Isometry> generators_, representatives_;
   std::map<Matrix, std::size_t> index_;
-  HermiteBasis lattice_;
+  TranslationSum translations_;
 };
 
 /// A direction orthogonal to all translations. Requires: at most d - 1 vectors.
@@ -169,12 +170,13 @@ CosetGroup close_group(const std::vector<Isometry>& generators, const Matrix& gr
   Closure closure(d);
   for (const Isometry& g : distinct_linear_parts(generators, gram))
     if (!closure.has(g.linear)) closure.add_generator(g);
-  HermiteBasis& lattice = closure.lattice();
   for (const Isometry& g : generators)
-    lattice.add(g.translation - closure.representative(g.linear).translation);
+    closure.translations().add(g.translation - closure.representative(g.linear).translation);
+  HermiteBasis lattice = closure.translations().total();
   const std::vector<Vector> basis = lattice.vectors();
   for (const Isometry& r : closure.representatives())
-    for (const Vector& b : basis) lattice.add(r.linear * b);
+    for (const Vector& b : basis)
+      if (const Vector image = r.linear * b; !lattice.contains(image)) lattice.add(image);
 
   if (lattice.rank() < d)
     throw InvalidInput("the group is not cocompact: its translations span " + std::to_string(lattice.rank()) +

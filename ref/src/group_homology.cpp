@@ -1,4 +1,6 @@
 /// The first homology H1(E^d/G) = G/[G,G] of a torsion-free group.
+#include <set>
+
 #include "flatdt/ref/errors.hpp"
 #include "flatdt/ref/lattice.hpp"
 #include "group_parts.hpp"
@@ -18,7 +20,8 @@ class Relations {
       for (std::size_t s = 0; s < cosets_.size(); ++s) add_product(r, s);
     }
   }
-  [[nodiscard]] const IntegerMatrix& rows() const { return rows_; }
+  /// Each relation once: many coincide (c_R c_S and c_S c_R for commuting lifts).
+  [[nodiscard]] IntegerMatrix rows() const { return {rows_.begin(), rows_.end()}; }
   [[nodiscard]] std::size_t columns() const { return columns_; }
 
  private:
@@ -29,7 +32,7 @@ class Relations {
       std::vector<Integer> row(columns_);
       for (std::size_t i = 0; i < dimension_; ++i)
         row[i] = difference(static_cast<int>(i), static_cast<int>(j)).numerator();
-      rows_.push_back(row);
+      rows_.insert(row);
     }
   }
   /// c_R c_S = {I|l} c_RS.
@@ -44,7 +47,7 @@ class Relations {
     add_coset(row, r, 1);
     add_coset(row, s, 1);
     add_coset(row, rs, -1);
-    rows_.push_back(row);
+    rows_.insert(row);
   }
   void add_coset(std::vector<Integer>& row, std::size_t coset, int multiple) const {
     if (coset > 0) row[dimension_ + coset - 1] += Integer(multiple);
@@ -52,7 +55,7 @@ class Relations {
 
   const std::vector<Isometry>& cosets_;
   std::size_t dimension_, columns_;
-  IntegerMatrix rows_;
+  std::set<std::vector<Integer>> rows_;
 };
 
 }  // namespace
@@ -64,7 +67,7 @@ Homology first_homology(const WorkingGroup& group) {
   const SmithForm smith = smith_normal_form(relations.rows());
   Homology h1;
   for (std::size_t j = 0; j < relations.columns(); ++j) {
-    const Integer& factor = smith.diagonal[j][j];
+    const Integer factor = j < smith.diagonal.size() ? smith.diagonal[j][j] : Integer(0);
     if (factor.is_zero()) {
       ++h1.betti;
     } else if (factor != Integer(1)) {

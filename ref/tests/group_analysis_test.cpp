@@ -212,6 +212,23 @@ TEST(GroupAnalysis, ALongCommonDenominatorIsNoObstacle) {
   EXPECT_EQ(small.frame.gram, Matrix::identity(3));
 }
 
+TEST(GroupAnalysis, ManyCoprimeDenominatorsAreAddedUp) {
+  std::vector<Isometry> generators;
+  Integer product = 1;
+  for (long p = 2; generators.size() < 1'000; ++p) {
+    if (gcd(product, Integer(p)) != Integer(1)) continue;  // so p is a prime
+    product *= Integer(p);
+    Vector t(2);
+    t[0] = Rational(Integer(1), Integer(p));
+    t[1] = t[0];
+    generators.push_back(Isometry::translate(t));
+  }
+  generators.push_back(kRight);
+  const GroupAnalysis analysis = analyse(make_instance(generators, Matrix::identity(2)));
+  const Rational step(Integer(1), product);
+  EXPECT_EQ(analysis.lattice, make_matrix(2, {step, 0, step, 1}));
+}
+
 TEST(GroupAnalysis, HostileRotationsReachALimit) {
   // ((1 - q^2)/(1 + q^2), 2q/(1 + q^2)) is a rational point of the circle for every rational q.
   const Rational q(Integer(1), long_prime_like(1000, 1)), one = 1;
