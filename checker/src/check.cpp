@@ -89,19 +89,21 @@ std::optional<Subgroup> check_subgroup(const Triangulation& triangulation, Eleme
   return subgroup;
 }
 
-/// The first cell of each cell modulo H.
-std::vector<CellId> find_distinct_cells(const Complex& complex) {
+/// Fills distinct_cells and faces.
+void find_faces(Context& context) {
+  const Complex& complex = context.complex;
   std::vector<std::pair<FaceKey, CellId>> keyed;
   keyed.reserve(complex.cells.size());
   for (std::size_t c = 0; c < complex.cells.size(); ++c) {
     keyed.emplace_back(canonical_face(complex.cells[c], {0, 1, 2, 3}, complex.corners).key, make_id<CellId>(c));
   }
   std::sort(keyed.begin(), keyed.end());
-  std::vector<CellId> cells;
   for (std::size_t k = 0; k < keyed.size(); ++k) {
-    if (k == 0 || keyed[k].first != keyed[k - 1].first) cells.push_back(keyed[k].second);
+    if (k > 0 && keyed[k].first == keyed[k - 1].first) continue;
+    context.faces[complex.corners].push_back(keyed[k].first);
+    context.distinct_cells.push_back(keyed[k].second);
   }
-  return cells;
+  for (std::size_t size = 2; size < complex.corners; ++size) context.faces[size] = distinct_faces(complex, size);
 }
 
 void check_all(const Instance& instance, const Triangulation& triangulation, Verdict& verdict) {
@@ -115,7 +117,7 @@ void check_all(const Instance& instance, const Triangulation& triangulation, Ver
   const Complex complex = make_complex(triangulation, elements, orbits, *subgroup, table);
   Geometry geometry(complex, orbits, table, instance.metric);
   Context context{instance, triangulation, *group, *subgroup, orbits, complex, table, geometry, verdict};
-  context.distinct_cells = find_distinct_cells(complex);
+  find_faces(context);
   check_vertices(context);
   check_cells(context);
   check_facets(context);

@@ -1,6 +1,7 @@
 // What the conditions are evaluated on, once the group and the subgroup are known to be admissible.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,7 +33,8 @@ struct Context {
   std::vector<Sign> orientation = {};           ///< by CellId, of the normalised cells
   std::vector<Occurrence> occurrences = {};
   std::vector<FacetPair> pairs = {};            ///< of the facets occurring exactly twice, by key
-  std::vector<CellId> distinct_cells = {};      ///< one for each cell modulo H
+  std::array<std::vector<FaceKey>, 5> faces = {};  ///< by number of vertices, 2 to d+1: the sorted distinct faces
+  std::vector<CellId> distinct_cells = {};      ///< the first cell of each distinct one, in the order of faces[d+1]
 
   void holds(ConditionName name, Witness witness = {}) const { verdict[name] = {Status::holds, std::move(witness)}; }
   void fails(ConditionName name, Witness witness) const { verdict[name] = {Status::fails, std::move(witness)}; }
@@ -46,7 +48,7 @@ void check_facets(Context& context);            // facets.paired, facets.opposit
 void check_delaunay(const Context& context);    // delaunay.empty
 void check_simplices(const Context& context);   // simplices.injective
 void check_skeleton(const Context& context);    // skeleton.no-loop, skeleton.no-2-cycle
-void check_intersection(Context& context);      // complex.intersection
+void check_intersection(const Context& context);  // complex.intersection
 void check_links(const Context& context);       // links.spheres
 void check_topology(const Context& context);    // topology.connected, topology.euler, topology.orientable
 void check_homology(const Context& context);    // topology.homology

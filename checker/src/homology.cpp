@@ -154,11 +154,10 @@ void check_homology(const Context& context) {
   using enum ConditionName;
   const Complex& complex = context.complex;
   if (!context.has(facets_paired) || complex.cells.size() > kMaxCells) return;
-  const std::vector<FaceKey> edges = distinct_faces(complex, 2);
-  const std::vector<FaceKey> faces = distinct_faces(complex, 3);  // 3D: one for each of context.pairs, in their order
-  std::vector<Triangle> triangles;
-  triangles.reserve(faces.size());
-  for (const FaceKey& key : faces) triangles.push_back(boundary(key, edges, context.table));
+  const std::vector<FaceKey>& edges = context.faces[2];
+  std::vector<Triangle> triangles;  // 3D: one for each of context.pairs, in their order
+  triangles.reserve(context.faces[3].size());
+  for (const FaceKey& key : context.faces[3]) triangles.push_back(boundary(key, edges, context.table));
   FirstHomology homology(edges.size(), std::move(triangles));
   if (complex.corners == 4) {
     UnionFind tree(complex.cells.size());

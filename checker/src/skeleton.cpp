@@ -55,7 +55,7 @@ void check_simplices(const Context& context) {
 
 void check_skeleton(const Context& context) {
   using enum ConditionName;
-  const std::vector<FaceKey> edges = distinct_faces(context.complex, 2);
+  const std::vector<FaceKey>& edges = context.faces[2];
   const Skeleton skeleton = make_skeleton(edges, context.complex.vertices.size());
   const Witness size = {{"vertices", number_text(num_vertices(skeleton))}, {"edges", number_text(edges.size())}};
   context.holds(skeleton_no_loop, size);
@@ -77,7 +77,7 @@ void check_skeleton(const Context& context) {
   }
 }
 
-void check_intersection(Context& context) {
+void check_intersection(const Context& context) {
   using enum ConditionName;
   if (!context.has(cells_nondegenerate) || !context.has(facets_paired) || !context.has(facets_opposite) ||
       !context.has(volume_exact)) {
@@ -88,7 +88,7 @@ void check_intersection(Context& context) {
     return;
   }
   for (std::size_t size = 2; size <= context.complex.corners; ++size) {
-    const std::vector<FaceKey> faces = distinct_faces(context.complex, size);
+    const std::vector<FaceKey>& faces = context.faces[size];
     const auto found = equal_vertices(faces);
     if (found == faces.end()) continue;
     context.fails(complex_intersection,

@@ -56,14 +56,7 @@ void check_euler(const Context& context) {
   long euler = 0;
   std::string counts;
   for (std::size_t size = 1; size <= corners; ++size) {
-    std::size_t faces = context.complex.vertices.size();
-    if (size == corners) {
-      faces = context.distinct_cells.size();
-    } else if (size + 1 == corners) {
-      faces = context.pairs.size();  // every facet occurs twice: the premise
-    } else if (size > 1) {
-      faces = distinct_faces(context.complex, size).size();
-    }
+    const std::size_t faces = size == 1 ? context.complex.vertices.size() : context.faces[size].size();
     euler += size % 2 == 1 ? static_cast<long>(faces) : -static_cast<long>(faces);
     counts += (size == 1 ? "" : ",") + number_text(faces);
   }
