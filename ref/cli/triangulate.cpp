@@ -46,7 +46,11 @@ Json summary(const Instance& instance, const GroupAnalysis& analysis, const Tria
   json["sheets"] = std::to_string(result.sheets);
   json["cells"] = std::to_string(result.triangulation.cells.size());
   json["working_cover"]["sheets"] = std::to_string(result.working_cover.sheets);
-  json["working_cover"]["lattice"] = result.working_cover.basis.to_string();
+  json["working_cover"]["lattice"] = Json::array();
+  for (int j = 0; j < instance.dimension; ++j) {
+    const Vector v = analysis.frame.basis * result.working_cover.basis.column(j);
+    json["working_cover"]["lattice"].push_back(v.to_string());
+  }
   json["switched_after_points"] =
       result.switched_after ? Json(std::to_string(*result.switched_after)) : Json(nullptr);
   json["hierarchy_levels"] = std::to_string(result.hierarchy_levels);
