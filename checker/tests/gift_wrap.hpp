@@ -32,7 +32,7 @@ class GiftWrap {
  public:
   using Cell = std::vector<std::size_t>;  // indices into the cloud
 
-  /// `points` times 1/denominator in lattice coordinates; the metric of the instance times 2 is integral.
+  /// `points` times 1/denominator, in [0,1)^d, in lattice coordinates; the metric of the instance times 2 is integral.
   GiftWrap(const Group& group, const Mat<Rational>& metric, const std::vector<std::array<long, 3>>& points, long denominator)
       : group_(group), d_(static_cast<std::size_t>(group.dimension)) {
     for (std::size_t i = 0; i < d_; ++i) {
@@ -51,6 +51,11 @@ class GiftWrap {
           moved.x[i] = t.get_num().get_si();
           for (std::size_t k = 0; k < d_; ++k) moved.x[i] += group.linear[r][i][k].get_si() * points[p][k];
         }
+        std::array<long, 3> home{};  // brings the image into [0,1)^d, so that the cloud surrounds it on all sides
+        for (std::size_t i = 0; i < d_; ++i) {
+          home[i] = -floor_div(static_cast<int>(moved.x[i]), static_cast<int>(denominator));
+          moved.x[i] += home[i] * denominator;
+        }
         for (long a = -reach; a <= reach; ++a) {
           for (long b = -reach; b <= reach; ++b) {
             for (long c = d_ == 3 ? -reach : 0; c <= (d_ == 3 ? reach : 0); ++c) {
@@ -58,7 +63,7 @@ class GiftWrap {
               const std::array<long, 3> l = {a, b, c};
               for (std::size_t i = 0; i < d_; ++i) {
                 lift.x[i] += l[i] * denominator;
-                lift.element.shift[i] = l[i];
+                lift.element.shift[i] = l[i] + home[i];
               }
               if (r == 0 && a == 0 && b == 0 && c == 0) centres_.push_back(cloud_.size());
               cloud_.push_back(lift);
@@ -140,7 +145,8 @@ class GiftWrap {
     return expand(rows, d_, 0, (1U << d_) - 1);
   }
 
-  bool inside(const Cell& cell, std::size_t q) const {
+  /// 1, 0 or -1: q inside, on or outside the circumsphere.
+  int inside(const Cell& cell, std::size_t q) const {
     Matrix rows{};
     for (std::size_t k = 0; k < cell.size(); ++k) {
       const auto v = difference(cell[k], q);
@@ -148,9 +154,9 @@ class GiftWrap {
       rows[k][d_] = quadratic(v);
     }
     Wide det = expand(rows, d_ + 1, 0, (1U << (d_ + 1)) - 1);
-    if (det == 0) throw Tie();
+    if (det == 0) return 0;
     if (d_ == 3) det = -det;
-    return (det > 0) == (orientation(cell) > 0);
+    return (det > 0) == (orientation(cell) > 0) ? 1 : -1;
   }
 
   /// The Delaunay apex of a facet on the side where orientation(facet, apex) has the given sign.
@@ -164,17 +170,21 @@ class GiftWrap {
       if (side == 0 || (side > 0) != positive) continue;
       if (best != cloud_.size()) {
         cell.back() = best;
-        if (!inside(cell, q)) continue;
+        if (inside(cell, q) <= 0) continue;
       }
       best = q;
     }
+    if (best == cloud_.size()) throw Tie();  // three points on a line, or a facet at the rim of the cloud
     facet.push_back(best);
+    for (std::size_t q = 0; q < cloud_.size(); ++q) {
+      if (std::find(facet.begin(), facet.end(), q) == facet.end() && inside(facet, q) == 0) throw Tie();
+    }
     return facet;
   }
 
   bool is_empty(const Cell& cell) const {
     for (std::size_t q = 0; q < cloud_.size(); ++q) {
-      if (std::find(cell.begin(), cell.end(), q) == cell.end() && inside(cell, q)) return false;
+      if (std::find(cell.begin(), cell.end(), q) == cell.end() && inside(cell, q) > 0) return false;
     }
     return true;
   }
@@ -189,8 +199,13 @@ class GiftWrap {
     });
     if (d_ == 2) return complete({centre, near[0]}, true);  // the nearest neighbour is joined by an edge
     for (std::size_t k = 1; k < near.size(); ++k) {
-      const Cell cell = complete({centre, near[0], near[k]}, true);
-      if (cell.back() < cloud_.size() && is_empty(cell)) return cell;
+      const Cell edge = {centre, near[0], near[k]};
+      try {
+        const Cell cell = complete(edge, true);
+        if (is_empty(cell)) return cell;
+      } catch (const Tie&) {  // of a triangle that need not be Delaunay
+        continue;
+      }
     }
     throw std::logic_error("no first cell");
   }
