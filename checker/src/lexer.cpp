@@ -46,7 +46,7 @@ std::string_view Lexer::next() {
       token_line_ = line_;
     } else {
       if (c < 0x21 || c > 0x7E) {
-        char hex[8];
+        char hex[16];
         std::snprintf(hex, sizeof hex, "0x%02X", static_cast<unsigned>(c));
         fail(std::string("byte ") + hex + " is not allowed outside comments; only 0x21..0x7E and white space are");
       }
