@@ -63,16 +63,21 @@ struct Setting {
   std::vector<Isometry> cosets;
 };
 
-/// A set of orbits. Requires: the translation lattice is Z^d.
+/// A set of orbits. Requires: the translation lattice is Z^d and linear parts have entries -1, 0, 1, as in
+/// the catalogue.
 class Orbits {
  public:
-  explicit Orbits(const Setting& setting) : setting_(setting) {}
+  explicit Orbits(const Setting& setting);
   /// True if the orbit of x is new.
   bool insert(const Vector& x);
 
  private:
+  /// The least point of the orbit, computed in multiples of 1/q.
+  [[nodiscard]] Vector least_in_words(const Vector& x, long q) const;
+
   const Setting& setting_;
-  std::set<Vector> seen_;  // the lexicographically least point of each orbit in [0,1)^d
+  Integer denominator_{1};  // of all translations
+  std::set<Vector> seen_;   // the lexicographically least point of each orbit in [0,1)^d
 };
 
 /// n points of different orbits, the first that `draw` gives. Throws LimitReached after kMaxRefusals
