@@ -96,7 +96,5 @@ bool is_cif(std::string_view text);
 /// Reads the columns of a PDB file (symbol not yet looked up). Errors: InvalidInput "file:line: reason" or,
 /// if there is no CRYST1, ATOM or HETATM record, that the text is neither CIF nor PDB.
 Crystal read_pdb(std::string_view text, const std::string& file);
-/// Reads a CIF, mmCIF or PDB text, gzip'ed or not. Only in builds with gemmi.
-Crystal read_crystal(const std::string& bytes, const std::string& file);
 
 }  // namespace flatdt::ref::cli

@@ -25,7 +25,7 @@ Rational leading_number(std::string_view& rest, std::string_view whole) {
   };
   const std::size_t before = rest.size();
   const std::string_view start = rest;
-  const Rational value = digits();
+  Rational value = digits();
   if (!rest.empty() && rest[0] == '/') {
     rest.remove_prefix(1);
     const Rational denominator = digits();
@@ -34,7 +34,7 @@ Rational leading_number(std::string_view& rest, std::string_view whole) {
   }
   if (start.substr(0, before - rest.size()).find('.') == std::string_view::npos) return value;
   // 0.3333 is a rounded fraction here, for a group has exact translations; tabulated ones are n/24.
-  const Rational nearest(round_half_up(Rational(24) * value), Integer(24));
+  Rational nearest(round_half_up(Rational(24) * value), Integer(24));
   if (abs(nearest - value) > Rational(Integer(1), Integer(1000)))
     fail_operation(whole, "the translation is not a multiple of 1/24");
   return nearest;
@@ -160,7 +160,7 @@ std::vector<Isometry> operations_of(Crystal& crystal) {
     throw InvalidInput("more than " + std::to_string(kMaxOperations) + " symmetry operations are listed");
   std::vector<Isometry> listed;
   for (const std::string& text : crystal.operations) listed.push_back(parse_operation(text));
-  const std::vector<Isometry> group = group_of(listed);
+  std::vector<Isometry> group = group_of(listed);
   if (crystal.settings.empty()) {
     if (!shown.empty())
       crystal.notes.push_back("the symbol " + shown + " is unknown: the listed operations count");

@@ -78,7 +78,7 @@ class PdbReader {
     if (row < '1' || row > '3') return;
     const int i = row - '1';
     for (int j = 0; j < 3; ++j) {
-      const auto first = static_cast<std::size_t>(11 + 10 * j);
+      const auto first = std::size_t{11} + std::size_t{10} * static_cast<std::size_t>(j);
       scale_.linear(i, j) = number(first, first + 9, "SCALE");
     }
     scale_.translation[i] = number(46, 55, "SCALE");
@@ -103,7 +103,7 @@ class PdbReader {
                  site.alternative + " " + std::string(trimmed(columns(18, 20))) + " " +
                  std::string(trimmed(columns(22, 22))) + std::string(trimmed(columns(23, 27)));
     for (int i = 0; i < 3; ++i) {
-      const auto first = static_cast<std::size_t>(31 + 8 * i);
+      const auto first = std::size_t{31} + std::size_t{8} * static_cast<std::size_t>(i);
       site.position[i] = number(first, first + 7, "coordinate");
     }
     crystal_.sites.push_back(site);

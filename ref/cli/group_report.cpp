@@ -23,7 +23,14 @@ GroupAnalysis analysed(const Instance& instance, const std::string& file_name) {
   try {
     return analyse(instance);
   } catch (const InvalidInput& error) {
-    throw InvalidInput(file_name + ": " + error.what());
+    const SectionLines& lines = instance.lines;
+    // A group without a section of its own comes from the name, a metric without one from the generators or
+    // the name.
+    const int group = lines.generators != 0 ? lines.generators : lines.manifold;
+    int line = group;
+    if (error.section() == InvalidInput::Section::manifold) line = lines.manifold;
+    if (error.section() == InvalidInput::Section::metric && lines.metric != 0) line = lines.metric;
+    throw InvalidInput(file_name + ":" + std::to_string(line) + ": " + error.what(), error.section());
   }
 }
 

@@ -11,7 +11,7 @@ namespace flatdt::ref::cli {
 
 using Json = nlohmann::ordered_json;
 
-/// analyse(), with the name of the file before the reason of an InvalidInput.
+/// analyse(), with the file and the line of the section at fault before the reason of an InvalidInput.
 GroupAnalysis analysed(const Instance& instance, const std::string& file_name);
 
 /// The texts with a separator between them.

@@ -18,6 +18,7 @@ int run_import(const ImportOptions&) {
 #else
 
 #include "crystal.hpp"
+#include "crystal_text.hpp"
 #include "flatdt/ref/instance_format.hpp"
 #include "text_files.hpp"
 
@@ -44,12 +45,69 @@ std::string with_labels(const std::string& text, const std::vector<std::string>&
   return result;
 }
 
+/// Numbers of the text of a CIF file become exact.
+Crystal exact_crystal(CrystalText text) {
+  Crystal crystal;
+  static const std::array<const char*, 6> kNames = {"a", "b", "c", "alpha", "beta", "gamma"};
+  for (std::size_t i = 0; i < 6; ++i) {
+    exact_decimal(text.cell[i], std::string("cell parameter ") + kNames[i]);
+    crystal.cell[i] = text.cell[i].substr(0, text.cell[i].find('('));
+  }
+  crystal.symbol = std::move(text.symbol);
+  crystal.operations = std::move(text.operations);
+  crystal.cartesian = text.cartesian;
+  if (!text.matrix.empty()) {
+    Isometry map{Matrix(3), Vector(3)};
+    for (int i = 0; i < 3; ++i) {
+      const auto entry = [&](int j) {
+        return exact_decimal(text.matrix[static_cast<std::size_t>(4) * static_cast<std::size_t>(i) +
+                                         static_cast<std::size_t>(j)],
+                             "_atom_sites.fract_transf");
+      };
+      for (int j = 0; j < 3; ++j) map.linear(i, j) = entry(j);
+      map.translation[i] = entry(3);
+    }
+    crystal.fractional_from_cartesian = map;
+  }
+  for (const SiteText& site : text.sites) {
+    CrystalSite exact{site.label, site.group, site.alternative, Vector(3)};
+    for (int i = 0; i < 3; ++i)
+      exact.position[i] =
+          exact_decimal(site.position[static_cast<std::size_t>(i)], "coordinate of site " + site.label);
+    crystal.sites.push_back(exact);
+  }
+  crystal.notes = std::move(text.notes);
+  return crystal;
+}
+
+void look_up_symbol(Crystal& crystal) {
+  if (crystal.symbol.empty()) return;
+  const double alpha = exact_decimal(crystal.cell[3], "cell parameter alpha").to_double();
+  const double gamma = exact_decimal(crystal.cell[5], "cell parameter gamma").to_double();
+  for (const SettingText& text : settings_of_symbol(crystal.symbol, alpha, gamma)) {
+    GroupSetting setting{text.symbol, {}};
+    for (const std::array<int, 12>& rows : text.operations) {
+      Isometry g{Matrix(3), Vector(3)};
+      for (int i = 0; i < 3; ++i) {
+        const auto row = static_cast<std::size_t>(4) * static_cast<std::size_t>(i);
+        for (int j = 0; j < 3; ++j) g.linear(i, j) = rows[row + static_cast<std::size_t>(j)];
+        g.translation[i] = Rational(Integer(rows[row + 3]), Integer(24));
+      }
+      setting.operations.push_back(g);
+    }
+    crystal.settings.push_back(setting);
+  }
+}
+
 }  // namespace
 
 int run_import(const ImportOptions& options) {
   const std::string bytes = read_input(options.file);
   try {
-    Crystal crystal = read_crystal(bytes, options.file);
+    const std::string source = unpacked(bytes);
+    Crystal crystal =
+        is_cif(source) ? exact_crystal(read_cif(source, options.file)) : read_pdb(source, options.file);
+    look_up_symbol(crystal);
     std::string group = crystal.symbol.empty() ? "without a symbol" : crystal.symbol;
     if (!crystal.settings.empty() && crystal.settings.front().symbol != group)
       group += " (" + crystal.settings.front().symbol + ")";

@@ -1,4 +1,5 @@
-/// Reading CIF and mmCIF and looking up group symbols: the only file that sees gemmi.
+/// Reading CIF and mmCIF and looking up group symbols: the only file that sees gemmi, and C++17 (see
+/// crystal_text.hpp).
 /// Source: gemmi 0.5.7. Traps met: its structures hold doubles, so raw strings of the CIF document are used;
 /// it needs the headers of PEGTL and stb; it must be a system include.
 #include <zlib.h>
@@ -7,7 +8,7 @@
 #include <gemmi/cif.hpp>
 #include <gemmi/symmetry.hpp>
 
-#include "crystal.hpp"
+#include "crystal_text.hpp"
 #include "flatdt/ref/errors.hpp"
 
 namespace flatdt::ref::cli {
@@ -17,72 +18,24 @@ namespace cif = gemmi::cif;
 
 constexpr std::size_t kMaxTextBytes = std::size_t{1} << 28;
 
-/// The text itself, unpacked if it is gzip'ed. Errors: InvalidInput if it is damaged, LimitReached beyond
-/// 256 MB (a few kilobytes can unpack to gigabytes).
-std::string unpacked(const std::string& bytes) {
-  if (bytes.size() < 2 || bytes[0] != '\x1f' || bytes[1] != '\x8b') return bytes;
-  struct Stream {
-    z_stream z{};
-    ~Stream() { inflateEnd(&z); }
-  } stream;
-  std::string input = bytes;
-  stream.z.next_in = reinterpret_cast<Bytef*>(input.data());
-  stream.z.avail_in = static_cast<uInt>(std::min(input.size(), kMaxTextBytes));
-  if (inflateInit2(&stream.z, 15 + 16) != Z_OK) throw LimitReached("the gzip decoder cannot start");
-  std::string text;
-  std::vector<char> buffer(1 << 16);
-  int state = Z_OK;
-  while (state != Z_STREAM_END) {
-    stream.z.next_out = reinterpret_cast<Bytef*>(buffer.data());
-    stream.z.avail_out = static_cast<uInt>(buffer.size());
-    state = inflate(&stream.z, Z_NO_FLUSH);
-    if (state != Z_OK && state != Z_STREAM_END)
-      throw InvalidInput("the gzip'ed file is damaged or cut short");
-    text.append(buffer.data(), buffer.size() - stream.z.avail_out);
-    if (text.size() > kMaxTextBytes) throw LimitReached("the gzip'ed file unpacks to more than 256 MB");
-    // A gzip file may have several members one after another.
-    if (state == Z_STREAM_END && stream.z.avail_in > 0) state = inflateReset(&stream.z);
-  }
-  return text;
-}
-
-std::vector<Isometry> operations_of_setting(const gemmi::SpaceGroup& group) {
-  std::vector<Isometry> list;
+SettingText setting_of(const gemmi::SpaceGroup& group) {
+  SettingText setting;
+  setting.symbol = group.xhm();
   for (const gemmi::Op& op : group.operations()) {
-    Isometry g{Matrix(3), Vector(3)};
-    for (int i = 0; i < 3; ++i) {
-      const auto row = static_cast<std::size_t>(i);
-      for (int j = 0; j < 3; ++j) g.linear(i, j) = op.rot[row][static_cast<std::size_t>(j)] / gemmi::Op::DEN;
-      g.translation[i] = Rational(Integer(op.tran[row]), Integer(int{gemmi::Op::DEN}));
+    std::array<int, 12> rows{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) rows[4 * i + j] = op.rot[i][j] / gemmi::Op::DEN;
+      rows[4 * i + 3] = op.tran[i];
     }
-    list.push_back(g);
+    setting.operations.push_back(rows);
   }
-  return list;
+  return setting;
 }
 
-std::string without_spaces(std::string text) {
-  std::erase_if(text, [](char c) { return c == ' ' || c == '_'; });
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+std::string without(std::string text, const std::string& unwanted) {
+  const auto is_unwanted = [&](char c) { return unwanted.find(c) != std::string::npos; };
+  text.erase(std::remove_if(text.begin(), text.end(), is_unwanted), text.end());
   return text;
-}
-
-/// See Crystal::settings. "P 21" leaves the unique axis open; "P 1 21 1" does not.
-std::vector<GroupSetting> settings_of_symbol(const Crystal& crystal) {
-  // "P_21" and "P2(1)" are common spellings of P 21.
-  std::string symbol = crystal.symbol;
-  std::erase_if(symbol, [](char c) { return c == '_' || c == '(' || c == ')'; });
-  // Angles only choose between hexagonal and rhombohedral axes.
-  const double alpha = exact_decimal(crystal.cell[3], "cell parameter alpha").to_double();
-  const double gamma = exact_decimal(crystal.cell[5], "cell parameter gamma").to_double();
-  const gemmi::SpaceGroup* meant = gemmi::find_spacegroup_by_name(symbol, alpha, gamma);
-  if (meant == nullptr) return {};
-  std::vector<GroupSetting> list = {{meant->xhm(), operations_of_setting(*meant)}};
-  if (without_spaces(symbol) == without_spaces(meant->hm)) return list;
-  for (const gemmi::SpaceGroup& other : gemmi::spacegroup_tables::main)
-    if (other.number == meant->number && &other != meant)
-      list.push_back({other.xhm(), operations_of_setting(other)});
-  return list;
 }
 
 /// The first value among these tags that is not '?' or '.', without quotes; else empty.
@@ -104,41 +57,40 @@ std::vector<std::string> column_of(cif::Block& block, std::initializer_list<cons
 }
 
 /// The matrix of an mmCIF file, if it is complete.
-std::optional<Isometry> file_matrix(const cif::Block& block) {
-  Isometry map{Matrix(3), Vector(3)};
-  const std::string prefix = "_atom_sites.fract_transf_";
-  for (int i = 0; i < 3; ++i) {
-    const std::string row = "[" + std::to_string(i + 1) + "]";
-    for (int j = 0; j < 3; ++j) {
-      const std::string tag = prefix + "matrix" + row + "[" + std::to_string(j + 1) + "]";
-      const std::string value = value_of(block, {tag.c_str()});
-      if (value.empty()) return std::nullopt;
-      map.linear(i, j) = exact_decimal(value, tag);
+std::vector<std::string> file_matrix(const cif::Block& block) {
+  std::vector<std::string> matrix;
+  for (const char row : {'1', '2', '3'}) {
+    for (const char column : {'1', '2', '3', '0'}) {
+      std::string tag = "_atom_sites.fract_transf_";
+      tag.append(column == '0' ? "vector[" : "matrix[").append(1, row);
+      if (column != '0') tag.append("][").append(1, column);
+      tag += ']';
+      std::string value = value_of(block, {tag.c_str()});
+      if (value.empty() && column == '0') value = "0";
+      if (value.empty()) return {};
+      matrix.push_back(value);
     }
-    const std::string tag = prefix + "vector" + row;
-    const std::string value = value_of(block, {tag.c_str()});
-    map.translation[i] = value.empty() ? Rational() : exact_decimal(value, tag);
   }
-  return map;
+  return matrix;
 }
 
 /// Reads the positions; sites whose coordinates are '?' or '.' (calculated or unobserved) are left out.
-bool read_position(const cif::Table::Row& row, int column, const std::string& label, Vector& position) {
-  for (int i = 0; i < 3; ++i)
+bool read_position(const cif::Table::Row& row, int column, SiteText& site) {
+  for (int i = 0; i < 3; ++i) {
     if (cif::is_null(row[column + i])) return false;
-  for (int i = 0; i < 3; ++i)
-    position[i] = exact_decimal(cif::as_string(row[column + i]), "coordinate of site " + label);
+    site.position[static_cast<std::size_t>(i)] = cif::as_string(row[column + i]);
+  }
   return true;
 }
 
-void read_small_molecule_sites(cif::Block& block, Crystal& crystal) {
+void read_small_molecule_sites(cif::Block& block, CrystalText& crystal) {
   cif::Table table = block.find(
       "_atom_site_", {"label", "fract_x", "fract_y", "fract_z", "?disorder_group", "?disorder_assembly"});
   std::size_t without_position = 0;
   for (const cif::Table::Row& row : table) {
-    CrystalSite site;
+    SiteText site;
     site.label = cif::as_string(row[0]);
-    if (!read_position(row, 1, site.label, site.position)) {
+    if (!read_position(row, 1, site)) {
       ++without_position;
       continue;
     }
@@ -150,7 +102,7 @@ void read_small_molecule_sites(cif::Block& block, Crystal& crystal) {
     crystal.notes.push_back(std::to_string(without_position) + " sites without coordinates are left out");
 }
 
-void read_macromolecule_sites(cif::Block& block, Crystal& crystal) {
+void read_macromolecule_sites(cif::Block& block, CrystalText& crystal) {
   enum {
     kX = 0,
     kAtom = 3,
@@ -179,15 +131,16 @@ void read_macromolecule_sites(cif::Block& block, Crystal& crystal) {
       ++later_atoms;
       continue;
     }
-    CrystalSite site;
+    SiteText site;
     site.alternative = text(kAlternative);
     const std::string chain = row.has2(kAuthAsym) ? text(kAuthAsym) : text(kLabelAsym);
     const std::string number = (row.has2(kAuthSeq) ? text(kAuthSeq) : text(kLabelSeq)) + text(kInsertion);
-    site.group = text(kLabelAsym) + "/" + chain + "/" + number;
-    site.label = text(kAtom) + (site.alternative.empty() ? "" : ".") + site.alternative + " " +
-                 text(kResidue) + " " + chain + number;
-    if (!read_position(row, kX, site.label, site.position))
-      throw InvalidInput("site " + site.label + " has no coordinates");
+    site.group = text(kLabelAsym);
+    site.group.append("/").append(chain).append("/").append(number);
+    site.label = text(kAtom);
+    if (!site.alternative.empty()) site.label.append(".").append(site.alternative);
+    site.label.append(" ").append(text(kResidue)).append(" ").append(chain).append(number);
+    if (!read_position(row, kX, site)) throw InvalidInput("site " + site.label + " has no coordinates");
     crystal.sites.push_back(site);
   }
   if (later_atoms > 0)
@@ -195,7 +148,49 @@ void read_macromolecule_sites(cif::Block& block, Crystal& crystal) {
                             " atoms of later ones are left out");
 }
 
-Crystal read_cif(const std::string& text, const std::string& file) {
+}  // namespace
+
+std::string unpacked(const std::string& bytes) {
+  if (bytes.size() < 2 || bytes[0] != '\x1f' || bytes[1] != '\x8b') return bytes;
+  struct Stream {
+    z_stream z{};
+    ~Stream() { inflateEnd(&z); }
+  } stream;
+  std::string input = bytes;
+  stream.z.next_in = reinterpret_cast<Bytef*>(input.data());
+  stream.z.avail_in = static_cast<uInt>(std::min(input.size(), kMaxTextBytes));
+  if (inflateInit2(&stream.z, 15 + 16) != Z_OK) throw LimitReached("the gzip decoder cannot start");
+  std::string text;
+  std::vector<char> buffer(1 << 16);
+  int state = Z_OK;
+  while (state != Z_STREAM_END) {
+    stream.z.next_out = reinterpret_cast<Bytef*>(buffer.data());
+    stream.z.avail_out = static_cast<uInt>(buffer.size());
+    state = inflate(&stream.z, Z_NO_FLUSH);
+    if (state != Z_OK && state != Z_STREAM_END)
+      throw InvalidInput("the gzip'ed file is damaged or cut short");
+    text.append(buffer.data(), buffer.size() - stream.z.avail_out);
+    if (text.size() > kMaxTextBytes) throw LimitReached("the gzip'ed file unpacks to more than 256 MB");
+    // A gzip file may have several members one after another.
+    if (state == Z_STREAM_END && stream.z.avail_in > 0) state = inflateReset(&stream.z);
+  }
+  return text;
+}
+
+std::vector<SettingText> settings_of_symbol(const std::string& symbol, double alpha, double gamma) {
+  // "P_21" and "P2(1)" are common spellings of P 21.
+  const std::string plain = without(symbol, "_()");
+  const gemmi::SpaceGroup* meant = gemmi::find_spacegroup_by_name(plain, alpha, gamma);
+  if (meant == nullptr) return {};
+  std::vector<SettingText> list = {setting_of(*meant)};
+  // "P 21" leaves the unique axis open; "P 1 21 1" does not.
+  if (gemmi::iequal(without(plain, " "), gemmi::to_lower(without(meant->hm, " ")))) return list;
+  for (const gemmi::SpaceGroup& other : gemmi::spacegroup_tables::main)
+    if (other.number == meant->number && &other != meant) list.push_back(setting_of(other));
+  return list;
+}
+
+CrystalText read_cif(const std::string& text, const std::string& file) {
   cif::Document document;
   try {
     document = cif::read_memory(text.data(), text.size(), file.c_str());
@@ -207,7 +202,7 @@ Crystal read_cif(const std::string& text, const std::string& file) {
   for (cif::Block& block : document.blocks) {
     const bool small = block.has_tag("_atom_site_fract_x");
     if (!small && !block.has_tag("_atom_site.Cartn_x")) continue;
-    Crystal crystal;
+    CrystalText crystal;
     const std::array<const char*, 6> names = {"length_a",    "length_b",   "length_c",
                                               "angle_alpha", "angle_beta", "angle_gamma"};
     for (std::size_t i = 0; i < 6; ++i) {
@@ -216,9 +211,6 @@ Crystal read_cif(const std::string& text, const std::string& file) {
       crystal.cell[i] = value_of(block, {with_underscore.c_str(), with_point.c_str()});
       if (crystal.cell[i].empty())
         throw InvalidInput("no unit cell: data block " + block.name + " has no " + with_underscore);
-      const std::string& value = crystal.cell[i];
-      exact_decimal(value, with_underscore);
-      if (value.back() == ')') crystal.cell[i] = value.substr(0, value.find('('));
     }
     crystal.symbol = value_of(
         block, {"_space_group_name_H-M_alt", "_symmetry_space_group_name_H-M", "_space_group_name_H-M_ref",
@@ -230,20 +222,11 @@ Crystal read_cif(const std::string& text, const std::string& file) {
       read_small_molecule_sites(block, crystal);
     } else {
       read_macromolecule_sites(block, crystal);
-      crystal.fractional_from_cartesian = file_matrix(block);
+      crystal.matrix = file_matrix(block);
     }
     return crystal;
   }
   throw InvalidInput("the CIF file has no atom sites");
-}
-
-}  // namespace
-
-Crystal read_crystal(const std::string& bytes, const std::string& file) {
-  const std::string text = unpacked(bytes);
-  Crystal crystal = is_cif(text) ? read_cif(text, file) : read_pdb(text, file);
-  if (!crystal.symbol.empty()) crystal.settings = settings_of_symbol(crystal);
-  return crystal;
 }
 
 }  // namespace flatdt::ref::cli

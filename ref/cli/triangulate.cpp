@@ -7,6 +7,7 @@
 
 #include "commands.hpp"
 #include "flatdt/ref/instance_format.hpp"
+#include "group_report.hpp"
 #include "text_files.hpp"
 
 namespace flatdt::ref::cli {
@@ -79,9 +80,9 @@ void tell(const Instance& instance, const GroupAnalysis& analysis, const Triangu
 }  // namespace
 
 int run_triangulate(const TriangulateOptions& options) {
-  const Instance instance =
-      parse_instance(read_input(options.instance), options.instance == "-" ? "<stdin>" : options.instance);
-  const GroupAnalysis analysis = analyse(instance);
+  const std::string file_name = options.instance == "-" ? "<stdin>" : options.instance;
+  const Instance instance = parse_instance(read_input(options.instance), file_name);
+  const GroupAnalysis analysis = analysed(instance, file_name);
   TriangulationOptions settings;
   settings.cover = options.sheets == "theorem10" ? CoverChoice::theorem10 : CoverChoice::smallest;
   settings.order_seed = options.order_seed;

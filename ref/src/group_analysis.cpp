@@ -19,9 +19,11 @@ std::string names_of(const CatalogueEntry& entry) {
 
 void check_name(const std::string& claimed, const CatalogueEntry& entry) {
   const CatalogueEntry* meant = find_entry(claimed);
-  if (meant == nullptr) throw InvalidInput("no manifold is called \"" + shown(claimed) + "\"");
+  if (meant == nullptr)
+    throw InvalidInput("no manifold is called \"" + shown(claimed) + "\"", InvalidInput::Section::manifold);
   if (meant != &entry)
-    throw InvalidInput("the name \"" + claimed + "\" is wrong: the group is that of the " + names_of(entry));
+    throw InvalidInput("the name \"" + claimed + "\" is wrong: the group is that of the " + names_of(entry),
+                       InvalidInput::Section::manifold);
 }
 
 }  // namespace

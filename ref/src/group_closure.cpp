@@ -44,9 +44,10 @@ void check_preserves_metric(const Isometry& generator, std::size_t number, const
     for (int j = i; j < gram.dimension(); ++j) {
       if (image(i, j) == gram(i, j)) continue;
       throw InvalidInput("generator " + std::to_string(number) + ", [" + shown(generator.to_string()) +
-                         "], does not preserve the metric: entry (" + std::to_string(i + 1) + "," +
-                         std::to_string(j + 1) + ") of R^T G R is " + shown(image(i, j).to_string()) +
-                         ", of G " + shown(gram(i, j).to_string()));
+                             "], does not preserve the metric: entry (" + std::to_string(i + 1) + "," +
+                             std::to_string(j + 1) + ") of R^T G R is " + shown(image(i, j).to_string()) +
+                             ", of G " + shown(gram(i, j).to_string()),
+                         InvalidInput::Section::generators);
     }
   }
 }
@@ -143,8 +144,9 @@ void check_metric(const Matrix& gram) {
     const Rational determinant = minor.determinant();
     if (determinant.sign() != Sign::positive)
       throw InvalidInput("the metric is not positive definite: its leading " + std::to_string(k) + "x" +
-                         std::to_string(k) + " minor is " + shown(determinant.to_string()) +
-                         ", every leading minor must be positive");
+                             std::to_string(k) + " minor is " + shown(determinant.to_string()) +
+                             ", every leading minor must be positive",
+                         InvalidInput::Section::metric);
   }
 }
 

@@ -13,6 +13,7 @@ std::vector<Isometry> transported(const std::vector<Isometry>& cosets, const Mat
                                   const Vector& origin) {
   const Isometry map{axes, origin}, inverse = map.inverse();
   std::vector<Isometry> result;
+  result.reserve(cosets.size());
   for (const Isometry& g : cosets) result.push_back(inverse * g * map);
   make_canonical(Matrix::identity(axes.dimension()), result);
   return result;

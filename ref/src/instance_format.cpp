@@ -12,10 +12,9 @@ constexpr std::uint64_t kMaxPoints = 100'000'000;
 
 int parse_dimension(Lexer& lexer) {
   lexer.expect("dimension");
-  if (lexer.accept("2")) return 2;
-  if (lexer.accept("3")) return 3;
-  lexer.word("the dimension");
-  lexer.fail("the dimension must be 2 or 3");
+  const std::uint64_t dimension = lexer.count("the dimension", kMaxDimension);
+  if (dimension < 2) lexer.fail("the dimension must be 2 or 3");
+  return static_cast<int>(dimension);
 }
 
 const CatalogueEntry& parse_name(Lexer& lexer, Instance& instance) {
@@ -66,15 +65,21 @@ Instance parse_instance(std::string_view text, const std::string& file_name) {
   lexer.expect("1");
   Instance instance;
   instance.dimension = parse_dimension(lexer);
-  const CatalogueEntry* entry = lexer.accept("manifold") ? &parse_name(lexer, instance) : nullptr;
+  const CatalogueEntry* entry = nullptr;
+  if (lexer.accept("manifold")) {
+    instance.lines.manifold = lexer.line();
+    entry = &parse_name(lexer, instance);
+  }
   instance.generators_given = lexer.accept("generators");
   if (instance.generators_given) {
+    instance.lines.generators = lexer.line();
     parse_generators(lexer, instance);
   } else {
     if (entry == nullptr) lexer.fail("a \"manifold\" or a \"generators\" section must follow the dimension");
     instance.generators = generators_of(*entry, *instance.name);
   }
   if (lexer.accept("metric")) {
+    instance.lines.metric = lexer.line();
     instance.gram = parse_metric(lexer, instance.dimension);
   } else {
     instance.gram = instance.generators_given ? Matrix::identity(instance.dimension) : entry->canonical_gram;

@@ -72,7 +72,7 @@ Rational positional(std::string_view body, int base, char letter, unsigned long 
     digits += mantissa.substr(point + 1);
   }
   if (!is_digits(digits, base)) throw InvalidInput(std::string("is not a number: ") + kNumberForms);
-  const Rational value(from_digits(digits, base), power(static_cast<unsigned long>(base), places));
+  Rational value(from_digits(digits, base), power(static_cast<unsigned long>(base), places));
   if (mark == body.size()) return value;
 
   std::string_view exponent = body.substr(mark + 1);

@@ -149,6 +149,7 @@ std::vector<DrawnPoint> point_copies(const Instance& instance, const PlaneGroup&
   for (std::size_t i = 0; i < instance.points.size(); ++i)
     orbits.emplace(to_least(group, instance.points[i]) * instance.points[i], i);
   std::vector<std::pair<std::size_t, Vector>> sorted;
+  sorted.reserve(orbits.size());
   for (const auto& [point, index] : orbits) sorted.emplace_back(index, point);
   std::sort(sorted.begin(), sorted.end());
 

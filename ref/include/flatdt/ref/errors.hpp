@@ -10,7 +10,15 @@ namespace flatdt::ref {
 /// exist. The message names the offending element or point and says what would be right.
 class InvalidInput : public std::runtime_error {
  public:
-  explicit InvalidInput(const std::string& reason) : std::runtime_error(reason) {}
+  /// The section of an instance that is at fault, where the grammar is right and the meaning is not.
+  enum class Section { none, manifold, generators, metric };
+
+  explicit InvalidInput(const std::string& reason, Section section = Section::none)
+      : std::runtime_error(reason), section_(section) {}
+  [[nodiscard]] Section section() const { return section_; }
+
+ private:
+  Section section_;
 };
 
 /// A documented limit of this program was reached; the input may well be right.

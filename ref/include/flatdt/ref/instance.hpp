@@ -9,6 +9,13 @@
 
 namespace flatdt::ref {
 
+/// Lines of the file at which sections stand, 0 where a section is absent: for messages only.
+struct SectionLines {
+  int manifold = 0;
+  int generators = 0;
+  int metric = 0;
+};
+
 struct Instance {
   int dimension = 0;
   /// The claimed name exactly as in the file, if any.
@@ -20,6 +27,7 @@ struct Instance {
   /// Gram matrix of the coordinates' basis. Squared lengths are v^T gram v ("Gram units").
   Matrix gram{0};
   std::vector<Vector> points;
+  SectionLines lines;
 };
 
 }  // namespace flatdt::ref
