@@ -65,6 +65,18 @@ TEST(InstanceFormat, LineBreaksMeanNothing) {
   expect_equal(parsed(one_line), parsed(kExample));
 }
 
+TEST(InstanceFormat, TheDimensionIsACount) {
+  EXPECT_EQ(parsed("flatdt-instance 1 dimension 02 manifold p1 points 01 0 0 ").dimension, 2);
+}
+
+TEST(InstanceFormat, SectionsRememberTheirLines) {
+  const Instance instance = parsed(kExample);
+  EXPECT_EQ(instance.lines.manifold, 3);
+  EXPECT_EQ(instance.lines.generators, 4);
+  EXPECT_EQ(instance.lines.metric, 7);
+  EXPECT_EQ(parsed("flatdt-instance 1 dimension 2 manifold p1 points 1 0 0 ").lines.metric, 0);
+}
+
 TEST(InstanceFormat, ANameMeansItsGenerators) {
   for (const CatalogueEntry& entry : catalogue()) {
     std::vector<std::string> names = entry.aliases;
@@ -116,8 +128,8 @@ TEST(InstanceFormat, RefusesWhatTheGrammarDoesNotSay) {
       {"flatdt-triangulation 1 ",
        "t:1: \"flatdt-triangulation\" stands where \"flatdt-instance\" must stand"},
       {"Flatdt-instance 1 ", "t:1: \"Flatdt-instance\" stands where \"flatdt-instance\" must stand"},
-      {"flatdt-instance 1 dimension 4 ", "t:1: the dimension must be 2 or 3"},
-      {"flatdt-instance 1 dimension 02 ", "t:1: the dimension must be 2 or 3"},
+      {"flatdt-instance 1 dimension 4 ", "t:1: the dimension: \"4\" is beyond the limit of 3"},
+      {"flatdt-instance 1 dimension 1 ", "t:1: the dimension must be 2 or 3"},
       {head + "points 1 0 0 ", "t:3: a \"manifold\" or a \"generators\" section must follow the dimension"},
       {head + "manifold Torus points 1 0 0 ",
        "t:3: no manifold is called \"Torus\": `flatdt manifolds` lists the names"},

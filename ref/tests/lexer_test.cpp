@@ -151,14 +151,16 @@ TEST(Lexer, RefusesOtherBytes) {
   }
   for (char c = 0x21; c < 0x7f; ++c) {
     if (c == '#') continue;
-    Lexer lexer(std::string(1, c) + " ", "t");
+    const std::string text = {c, ' '};
+    Lexer lexer(text, "t");
     EXPECT_EQ(lexer.word("a word").size(), 1U);
   }
 }
 
 TEST(Lexer, TokensHaveALimit) {
   const std::string longest(kMaxTokenBytes, '1');
-  Lexer lexer(longest + " " + longest + "1 ", "t");
+  const std::string text = longest + " " + longest + "1 ";
+  Lexer lexer(text, "t");
   EXPECT_EQ(lexer.number("a number").numerator().to_string(), longest);
   EXPECT_NE(message_of([&] { lexer.number("a number"); }).find("longer than the limit of 4096 bytes"),
             std::string::npos);
