@@ -1,8 +1,9 @@
 // flatdt-check INSTANCE TRIANGULATION [--json]: reads two files, prints the verdict.
-// The exit code and the last line of standard output always say the same: 0 VERIFIED, 1 REFUTED, 2 MALFORMED, 3 UNKNOWN;
-// wrong usage, an unreadable file too, is 2 without a verdict.   Source: FORMAT.md, "Programs".
+// The exit code and the last line of standard output always say the same: 0 VERIFIED, 1 REFUTED, 2 MALFORMED,
+// 3 UNKNOWN; wrong usage, an unreadable file too, is 2 without a verdict.   Source: FORMAT.md, "Programs".
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <fstream>
 #include <iostream>
@@ -23,15 +24,21 @@ constexpr int kInternal = 3;
 
 int exit_code(Outcome outcome) {
   switch (outcome) {
-    case Outcome::verified: return 0;
-    case Outcome::refuted: return 1;
-    case Outcome::malformed: return 2;
-    case Outcome::unknown: return 3;
+    case Outcome::verified:
+      return 0;
+    case Outcome::refuted:
+      return 1;
+    case Outcome::malformed:
+      return 2;
+    case Outcome::unknown:
+      return 3;
   }
   return kInternal;
 }
 
-void complain(const std::string& message) { std::fprintf(stderr, "flatdt-check: %s\n", message.c_str()); }
+void complain(const std::string& message) {
+  std::fprintf(stderr, "flatdt-check: %s\n", message.c_str());
+}
 
 /// Writes to standard output; whether all of it arrived.
 bool print(const std::string& text) {
@@ -55,6 +62,7 @@ class Input {
     } catch (const std::ios_base::failure&) {
       throw std::ios_base::failure("cannot read " + path);
     }
+    if (path == "-" && std::ferror(stdin) != 0) throw std::ios_base::failure("cannot read standard input");
   }
   [[nodiscard]] std::istream& stream() { return *stream_; }
   [[nodiscard]] const std::string& name() const { return name_; }
@@ -83,21 +91,54 @@ Verdict judge(Input& instance_input, Input& triangulation_input) {
   return verdict;
 }
 
+bool json = false;  // for the handler below, which has no arguments
+
+/// GMP would abort when memory runs out, and its callers cannot be unwound: the verdict is printed and the
+/// process ends.
+[[noreturn]] void out_of_memory() {
+  complain("out of memory");
+  std::fputs(
+      json ? "{\"schema\":\"flatdt-check 1\",\"verdict\":\"UNKNOWN\",\"conditions\":[]}\n" : "s UNKNOWN\n",
+      stdout);
+  std::fflush(stdout);
+  std::_Exit(kInternal);
+}
+
+void* allocate(std::size_t size) {
+  void* memory = std::malloc(size);
+  if (memory == nullptr) out_of_memory();
+  return memory;
+}
+
+void* reallocate(void* old, std::size_t, std::size_t size) {
+  void* memory = std::realloc(old, size);
+  if (memory == nullptr) out_of_memory();
+  return memory;
+}
+
+void release(void* memory, std::size_t) {
+  std::free(memory);
+}
+
 int run(int argc, char** argv) {
-  CLI::App app("Checks that a triangulation is the Delaunay triangulation of an instance's points in a flat manifold.");
-  app.footer("'-' is standard input, for one of the two files.\n"
-             "Exit codes: 0 VERIFIED, 1 REFUTED, 2 MALFORMED or wrong usage, 3 UNKNOWN.");
+  mp_set_memory_functions(allocate, reallocate, release);
+  CLI::App app(
+      "Checks that a triangulation is the Delaunay triangulation of an instance's points in a flat "
+      "manifold.");
+  app.footer(
+      "'-' is standard input, for one of the two files.\n"
+      "Exit codes: 0 VERIFIED, 1 REFUTED, 2 MALFORMED or wrong usage, 3 UNKNOWN.");
   std::string instance_path;
   std::string triangulation_path;
-  bool json = false;
-  bool version = false;
   app.add_option("INSTANCE", instance_path, "instance file")->required();
   app.add_option("TRIANGULATION", triangulation_path, "triangulation file")->required();
   app.add_flag("--json", json, "print one JSON object");
-  app.add_flag_callback("--version", [&] { version = true; throw CLI::Success(); }, "print the version");
+  app.add_flag_callback(
+      "--version", [] { throw CLI::Success(); }, "print the version");
   try {
     app.parse(argc, argv);
-    if (instance_path == "-" && triangulation_path == "-") throw CLI::ValidationError("'-' can stand for one file only");
+    if (instance_path == "-" && triangulation_path == "-")
+      throw CLI::ValidationError("'-' can stand for one file only");
   } catch (const CLI::CallForHelp&) {
     return print(app.help()) ? 0 : kInternal;
   } catch (const CLI::Success&) {

@@ -26,7 +26,8 @@ std::string json_report(const Verdict& verdict) {
     const auto name = static_cast<ConditionName>(i);
     nlohmann::ordered_json witness = nlohmann::ordered_json::object();
     for (const auto& [key, value] : verdict[name].witness) witness[key] = value;
-    conditions.push_back({{"name", to_string(name)}, {"status", to_string(verdict[name].status)}, {"witness", witness}});
+    conditions.push_back(
+        {{"name", to_string(name)}, {"status", to_string(verdict[name].status)}, {"witness", witness}});
   }
   const nlohmann::ordered_json report = {
       {"schema", "flatdt-check 1"}, {"verdict", to_string(verdict.outcome)}, {"conditions", conditions}};

@@ -55,7 +55,8 @@ const Manifold* find_manifold(std::string_view name) {
 std::optional<std::string_view> recognise(int dimension, bool orientable, std::string_view holonomy,
                                           std::string_view homology) {
   for (const Manifold& m : kCatalogue) {
-    if (m.dimension == dimension && m.orientable == orientable && m.holonomy == holonomy && m.homology == homology) {
+    if (m.dimension == dimension && m.orientable == orientable && m.holonomy == holonomy &&
+        m.homology == homology) {
       return m.name;
     }
   }

@@ -13,8 +13,8 @@ namespace flatdt::checker {
 /// One manifold. (dimension, orientable, holonomy, homology) separates all twelve.
 struct Manifold {
   std::string_view name;
-  std::string_view aliases;     ///< separated and surrounded by spaces
-  std::string_view mirror;      ///< the aliases whose generators are the mirror images, likewise
+  std::string_view aliases;  ///< separated and surrounded by spaces
+  std::string_view mirror;   ///< the aliases whose generators are the mirror images, likewise
   int dimension;
   bool orientable;
   std::string_view holonomy;    ///< as holonomy_name()
@@ -28,8 +28,8 @@ struct Manifold {
 [[nodiscard]] const Manifold* find_manifold(std::string_view name);
 
 /// The name of the manifold with these invariants, if there is one.
-[[nodiscard]] std::optional<std::string_view> recognise(int dimension, bool orientable, std::string_view holonomy,
-                                                        std::string_view homology);
+[[nodiscard]] std::optional<std::string_view> recognise(int dimension, bool orientable,
+                                                        std::string_view holonomy, std::string_view homology);
 
 /// The catalogue's generators that `name` (a name or alias of `manifold`) stands for.
 [[nodiscard]] std::vector<Seitz> catalogue_generators(const Manifold& manifold, std::string_view name);

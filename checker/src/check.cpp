@@ -48,7 +48,8 @@ std::optional<Group> check_group(const Instance& instance, Verdict& verdict) {
   if (!instance.claim) return group;
   const std::string holonomy = holonomy_name(group);
   const std::string homology = to_string(first_homology(group));
-  const std::string name(recognise(d, is_orientable(group), holonomy, homology).value_or("none-of-the-catalogue"));
+  const std::string name(
+      recognise(d, is_orientable(group), holonomy, homology).value_or("none-of-the-catalogue"));
   Witness witness = {{"claimed", *instance.claim},
                      {"manifold", name},
                      {"orientable", is_orientable(group) ? "yes" : "no"},
@@ -95,7 +96,8 @@ void find_faces(Context& context) {
   std::vector<std::pair<FaceKey, CellId>> keyed;
   keyed.reserve(complex.cells.size());
   for (std::size_t c = 0; c < complex.cells.size(); ++c) {
-    keyed.emplace_back(canonical_face(complex.cells[c], {0, 1, 2, 3}, complex.corners).key, make_id<CellId>(c));
+    keyed.emplace_back(canonical_face(complex.cells[c], {0, 1, 2, 3}, complex.corners).key,
+                       make_id<CellId>(c));
   }
   std::sort(keyed.begin(), keyed.end());
   for (std::size_t k = 0; k < keyed.size(); ++k) {
@@ -103,7 +105,8 @@ void find_faces(Context& context) {
     context.faces[complex.corners].push_back(keyed[k].first);
     context.distinct_cells.push_back(keyed[k].second);
   }
-  for (std::size_t size = 2; size < complex.corners; ++size) context.faces[size] = distinct_faces(complex, size);
+  for (std::size_t size = 2; size < complex.corners; ++size)
+    context.faces[size] = distinct_faces(complex, size);
 }
 
 void check_all(const Instance& instance, const Triangulation& triangulation, Verdict& verdict) {

@@ -7,8 +7,10 @@ namespace {
 
 using Memo = std::unordered_map<std::uint64_t, CosetPosition, MixHash>;
 
-/// The position of elements[k] * frame, which takes a canonical point to the vertex, remembered for each (k, frame).
-CosetPosition locate(Memo& memo, ElementId element, ElementId frame, const Subgroup& subgroup, ElementTable& table) {
+/// The position of elements[k] * frame, which takes a canonical point to the vertex, remembered for each (k,
+/// frame).
+CosetPosition locate(Memo& memo, ElementId element, ElementId frame, const Subgroup& subgroup,
+                     ElementTable& table) {
   const std::uint64_t key = pair_key(element, frame);
   if (const auto known = memo.find(key); known != memo.end()) return known->second;
   const CosetPosition position = subgroup.locate(table, table.product(element, frame));
@@ -18,8 +20,8 @@ CosetPosition locate(Memo& memo, ElementId element, ElementId frame, const Subgr
 
 }  // namespace
 
-Complex make_complex(const Triangulation& triangulation, const std::vector<ElementId>& elements, const Orbits& orbits,
-                     const Subgroup& subgroup, ElementTable& table) {
+Complex make_complex(const Triangulation& triangulation, const std::vector<ElementId>& elements,
+                     const Orbits& orbits, const Subgroup& subgroup, ElementTable& table) {
   Complex complex;
   complex.corners = static_cast<std::size_t>(triangulation.dimension) + 1;
   complex.cells.reserve(triangulation.cells.size());
@@ -34,8 +36,8 @@ Complex make_complex(const Triangulation& triangulation, const std::vector<Eleme
           locate(memo, elements[file_cell[i].element], orbits.frame[point], subgroup, table);
       h[i] = position.transport;
       const OrbitId orbit = orbits.of_point[point];
-      const auto [known, inserted] =
-          ids.try_emplace(pair_key(orbit, position.representative), make_id<VertexId>(complex.vertices.size()));
+      const auto [known, inserted] = ids.try_emplace(pair_key(orbit, position.representative),
+                                                     make_id<VertexId>(complex.vertices.size()));
       if (inserted) complex.vertices.push_back({orbit, position.representative});
       cell.vertex[i] = known->second;
     }

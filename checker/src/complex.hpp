@@ -1,7 +1,8 @@
 // The cells modulo H as a complex in which every vertex is a lift: a vertex modulo H and an element of H.
 //
-// Invariants: for vertices i, j of a cell, offset[i][j] = h_i^-1 h_j, where h_i * (base lift of vertex[i]) is the i-th
-// vertex. So (vertex[j], offset[i][j]) for all j is the cell moved by H until its i-th vertex is a base lift.
+// Invariants: for vertices i, j of a cell, offset[i][j] = h_i^-1 h_j, where h_i * (base lift of vertex[i]) is
+// the i-th vertex. So (vertex[j], offset[i][j]) for all j is the cell moved by H until its i-th vertex is a
+// base lift.
 #pragma once
 
 #include <array>
@@ -22,7 +23,8 @@ struct Cell {
   ElementId anchor;  ///< h_0: moves the normalised cell (frame of its first vertex) to the cell of the file
 };
 
-/// A vertex modulo H: the right coset H*coset of an orbit; its base lift is coset * canonical point of the orbit.
+/// A vertex modulo H: the right coset H*coset of an orbit; its base lift is coset * canonical point of the
+/// orbit.
 struct Vertex {
   OrbitId orbit;
   ElementId coset;

@@ -30,37 +30,43 @@ struct Context {
   Geometry& geometry;
   Verdict& verdict;
 
-  std::vector<Sign> orientation = {};           ///< by CellId, of the normalised cells
+  std::vector<Sign> orientation = {};  ///< by CellId, of the normalised cells
   std::vector<Occurrence> occurrences = {};
-  std::vector<FacetPair> pairs = {};            ///< of the facets occurring exactly twice, by key
-  std::array<std::vector<FaceKey>, 5> faces = {};  ///< by number of vertices, 2 to d+1: the sorted distinct faces
-  std::vector<CellId> distinct_cells = {};      ///< the first cell of each distinct one, in the order of faces[d+1]
+  std::vector<FacetPair> pairs = {};  ///< of the facets occurring exactly twice, by key
+  std::array<std::vector<FaceKey>, 5> faces =
+      {};  ///< by number of vertices, 2 to d+1: the sorted distinct faces
+  std::vector<CellId> distinct_cells =
+      {};  ///< the first cell of each distinct one, in the order of faces[d+1]
 
-  void holds(ConditionName name, Witness witness = {}) const { verdict[name] = {Status::holds, std::move(witness)}; }
-  void fails(ConditionName name, Witness witness) const { verdict[name] = {Status::fails, std::move(witness)}; }
+  void holds(ConditionName name, Witness witness = {}) const {
+    verdict[name] = {Status::holds, std::move(witness)};
+  }
+  void fails(ConditionName name, Witness witness) const {
+    verdict[name] = {Status::fails, std::move(witness)};
+  }
   [[nodiscard]] bool has(ConditionName name) const { return verdict[name].status == Status::holds; }
 };
 
 // Each evaluates the conditions it names, whose premises must have been evaluated, and sets their statuses.
-void check_vertices(const Context& context);    // vertices.complete
-void check_cells(Context& context);             // cells.nondegenerate, volume.exact; fills orientation
-void check_facets(Context& context);            // facets.paired, facets.opposite; fills occurrences and pairs
-void check_delaunay(const Context& context);    // delaunay.empty
-void check_simplices(const Context& context);   // simplices.injective
-void check_skeleton(const Context& context);    // skeleton.no-loop, skeleton.no-2-cycle
+void check_vertices(const Context& context);   // vertices.complete
+void check_cells(Context& context);            // cells.nondegenerate, volume.exact; fills orientation
+void check_facets(Context& context);           // facets.paired, facets.opposite; fills occurrences and pairs
+void check_delaunay(const Context& context);   // delaunay.empty
+void check_simplices(const Context& context);  // simplices.injective
+void check_skeleton(const Context& context);   // skeleton.no-loop, skeleton.no-2-cycle
 void check_intersection(const Context& context);  // complex.intersection
-void check_links(const Context& context);       // links.spheres
-void check_topology(const Context& context);    // topology.connected, topology.euler, topology.orientable
-void check_homology(const Context& context);    // topology.homology
+void check_links(const Context& context);         // links.spheres
+void check_topology(const Context& context);      // topology.connected, topology.euler, topology.orientable
+void check_homology(const Context& context);      // topology.homology
 
-/// The side of a facet on which the apex of an occurrence lies: the orientation of (canonical list of the facet, apex)
-/// in the frame of the canonical list. Zero if the cell is degenerate.
+/// The side of a facet on which the apex of an occurrence lies: the orientation of (canonical list of the
+/// facet, apex) in the frame of the canonical list. Zero if the cell is degenerate.
 [[nodiscard]] Sign side_of(const Context& context, const Occurrence& occurrence);
 
 // Witness texts, in the coordinates of the instance.
-[[nodiscard]] std::string lift_text(const Context& context, VertexId v, ElementId offset);       // [g]*i
-[[nodiscard]] std::string face_text(const Context& context, const FaceKey& face);                // lifts joined by ;
-[[nodiscard]] std::string cell_text(const Context& context, CellId cell);                        // points of the file
+[[nodiscard]] std::string lift_text(const Context& context, VertexId v, ElementId offset);  // [g]*i
+[[nodiscard]] std::string face_text(const Context& context, const FaceKey& face);  // lifts joined by ;
+[[nodiscard]] std::string cell_text(const Context& context, CellId cell);          // points of the file
 [[nodiscard]] std::string element_text(const Context& context, ElementId element);
 [[nodiscard]] std::string number_text(std::size_t number);
 [[nodiscard]] std::string number_text(const Rational& number);

@@ -1,5 +1,9 @@
 #include "elements.hpp"
 
+#include <limits>
+
+#include "flatdt/checker/errors.hpp"
+
 namespace flatdt::checker {
 
 std::size_t ElementTable::Hash::operator()(const Element& element) const {
@@ -13,10 +17,15 @@ std::size_t ElementTable::Hash::operator()(const Element& element) const {
   return hash;
 }
 
-ElementTable::ElementTable(const Group& group) : group_(group) { intern(Element{}); }
+ElementTable::ElementTable(const Group& group) : group_(group) {
+  intern(Element{});
+}
 
 ElementId ElementTable::intern(const Element& element) {
   const auto [position, inserted] = ids_.try_emplace(element, make_id<ElementId>(elements_.size()));
+  if (inserted && elements_.size() == std::numeric_limits<std::uint32_t>::max()) {
+    throw ResourceLimit("more than 2^32 - 1 group elements");
+  }
   if (inserted) elements_.push_back(element);
   return position->second;
 }
@@ -25,7 +34,9 @@ ElementId ElementTable::product(ElementId a, ElementId b) {
   return intern(group_.multiply((*this)[a], (*this)[b]));
 }
 
-ElementId ElementTable::inverse(ElementId a) { return left_quotient(a, kIdentity); }
+ElementId ElementTable::inverse(ElementId a) {
+  return left_quotient(a, kIdentity);
+}
 
 ElementId ElementTable::left_quotient(ElementId a, ElementId b) {
   if (a == b) return kIdentity;

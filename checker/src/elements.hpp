@@ -1,4 +1,5 @@
-// Elements of G interned as small ids, so that the work per cell is on ids and big integers appear once per element.
+// Elements of G interned as small ids, so that the work per cell is on ids and big integers appear once per
+// element.
 //
 // Invariants: equal elements have equal ids; the identity is ElementId{0}.
 // Cost: expected constant time per operation seen before; one multiplication in the group otherwise.
@@ -15,7 +16,8 @@ namespace flatdt::checker {
 
 inline constexpr ElementId kIdentity{0};
 
-/// Mixes a 64-bit key: consecutive ids must not fall into consecutive buckets.   Source: Steele et al. 2014, SplitMix.
+/// Mixes a 64-bit key: consecutive ids must not fall into consecutive buckets.   Source: Steele et al. 2014,
+/// SplitMix.
 struct MixHash {
   [[nodiscard]] std::size_t operator()(std::uint64_t x) const {
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9U;

@@ -60,7 +60,8 @@ std::vector<FaceKey> distinct_faces(const Complex& complex, std::size_t size) {
       for (std::uint8_t i = 0; i < complex.corners; ++i) {
         if ((mask >> i & 1U) == 0) continue;
         for (std::size_t k = 0; k < n; ++k) {
-          repeated = repeated || (cell.vertex[corners[k]] == cell.vertex[i] && cell.offset[corners[k]][i] == kIdentity);
+          repeated = repeated ||
+                     (cell.vertex[corners[k]] == cell.vertex[i] && cell.offset[corners[k]][i] == kIdentity);
         }
         corners[n++] = i;
       }

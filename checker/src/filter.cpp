@@ -10,18 +10,21 @@ Vec<Ball> Geometry::ball_lift(VertexId v, ElementId offset) {
   if (offset == kIdentity) return base;
   while (translation_ball_.size() <= index(offset)) {
     const Seitz g = table_.group().lattice_seitz(table_[make_id<ElementId>(translation_ball_.size())]);
-    translation_ball_.push_back({to_ball(g.translation[0]), to_ball(g.translation[1]), to_ball(g.translation[2])});
+    translation_ball_.push_back(
+        {to_ball(g.translation[0]), to_ball(g.translation[1]), to_ball(g.translation[2])});
   }
   const Vec<Ball>& t = translation_ball_[index(offset)];
   const std::uint8_t rotation = table_[offset].rotation;
   if (rotation == 0) return {base[0] + t[0], base[1] + t[1], base[2] + t[2]};
   const Mat<Ball>& r = linear_ball_[rotation];
   Vec<Ball> out;
-  for (std::size_t i = 0; i < 3; ++i) out[i] = r[i][0] * base[0] + r[i][1] * base[1] + r[i][2] * base[2] + t[i];
+  for (std::size_t i = 0; i < 3; ++i)
+    out[i] = r[i][0] * base[0] + r[i][1] * base[1] + r[i][2] * base[2] + t[i];
   return out;
 }
 
-std::optional<Sign> Geometry::insphere_filter(const Cell& cell, Sign orientation, VertexId v, ElementId offset) {
+std::optional<Sign> Geometry::insphere_filter(const Cell& cell, Sign orientation, VertexId v,
+                                              ElementId offset) {
   const auto n = static_cast<std::size_t>(dimension_);
   const Vec<Ball> q = ball_lift(v, offset);
   std::array<Vec<Ball>, 4> p;

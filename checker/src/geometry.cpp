@@ -28,7 +28,8 @@ Geometry::Geometry(const Complex& complex, const Orbits& orbits, const ElementTa
   Integer scale = 1;
   for (std::size_t i = 0; i < 3; ++i) {
     for (const Rational& x : gram[i]) scale = lcm(scale, x.get_den());
-    for (const Vec<Rational>& t : group.translation) group_denominator_ = lcm(group_denominator_, t[i].get_den());
+    for (const Vec<Rational>& t : group.translation)
+      group_denominator_ = lcm(group_denominator_, t[i].get_den());
   }
   for (std::size_t i = 0; i < 3; ++i) {
     for (std::size_t j = 0; j < 3; ++j) {
@@ -178,7 +179,8 @@ Sign Geometry::insphere_exact(const Cell& cell, Sign orientation, VertexId v, El
     const Sign sign = sign_of(determinant_);
     return orientation == Sign::positive ? sign : opposite(sign);
   }
-  // Rows (i, j) in the first two columns against the complementary rows (k, l), with the sign of (i, j, k, l).
+  // Rows (i, j) in the first two columns against the complementary rows (k, l), with the sign of (i, j, k,
+  // l).
   constexpr std::array<std::array<std::size_t, 4>, 6> kSplits = {
       {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 2, 0, 3}, {1, 3, 2, 0}, {2, 3, 0, 1}}};
   for (const auto& [i, j, k, l] : kSplits) {  // every split is an even permutation

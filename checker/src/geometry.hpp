@@ -1,7 +1,8 @@
 // Exact lifts, determinants and the insphere test, in lattice coordinates of G.
 //
-// All coordinates of one evaluation are integers over one common denominator; temporaries are kept between calls
-// (measured for such determinants: 1-2 us, against 27 us with mpq). The Gram matrix is scaled to integers.
+// All coordinates of one evaluation are integers over one common denominator; temporaries are kept between
+// calls (measured for such determinants: 1-2 us, against 27 us with mpq). The Gram matrix is scaled to
+// integers.
 #pragma once
 
 #include <array>
@@ -16,25 +17,27 @@ namespace flatdt::checker {
 class Geometry {
  public:
   /// `metric` in the instance's coordinates.
-  Geometry(const Complex& complex, const Orbits& orbits, const ElementTable& table, const Mat<Rational>& metric);
+  Geometry(const Complex& complex, const Orbits& orbits, const ElementTable& table,
+           const Mat<Rational>& metric);
 
-  /// det[p_1 - p_0 .. p_d - p_0] of the normalised cell (frame of its first vertex), as numerator / denominator > 0.
-  /// The reference is valid until the next call.
+  /// det[p_1 - p_0 .. p_d - p_0] of the normalised cell (frame of its first vertex), as numerator /
+  /// denominator > 0. The reference is valid until the next call.
   struct Fraction {
     const Integer& numerator;
     const Integer& denominator;
   };
   [[nodiscard]] Fraction determinant(const Cell& cell);
 
-  /// Sign of insphere(cell; q), q = offset * (base lift of v): positive iff q is strictly inside the circumsphere.
-  /// Formula:  orientation * (-1)^d det of the d+1 rows (p_i - q, |p_i - q|^2), p_i the normalised cell.
-  /// Requires: orientation is the sign of determinant(cell), not zero.
-  /// Law:      zero iff cospherical.   Stages: floating-point balls, then integers; the first is certain or silent.
+  /// Sign of insphere(cell; q), q = offset * (base lift of v): positive iff q is strictly inside the
+  /// circumsphere. Formula:  orientation * (-1)^d det of the d+1 rows (p_i - q, |p_i - q|^2), p_i the
+  /// normalised cell. Requires: orientation is the sign of determinant(cell), not zero. Law:      zero iff
+  /// cospherical.   Stages: floating-point balls, then integers; the first is certain or silent.
   [[nodiscard]] Sign insphere(const Cell& cell, Sign orientation, VertexId v, ElementId offset);
   /// The second stage alone.
   [[nodiscard]] Sign insphere_exact(const Cell& cell, Sign orientation, VertexId v, ElementId offset);
   /// The first stage alone.
-  [[nodiscard]] std::optional<Sign> insphere_filter(const Cell& cell, Sign orientation, VertexId v, ElementId offset);
+  [[nodiscard]] std::optional<Sign> insphere_filter(const Cell& cell, Sign orientation, VertexId v,
+                                                    ElementId offset);
 
   /// The point offset * (base lift of v), exactly, in lattice coordinates.
   [[nodiscard]] Vec<Rational> point(VertexId v, ElementId offset) const;
@@ -50,16 +53,16 @@ class Geometry {
   const Complex& complex_;
   const ElementTable& table_;
   int dimension_;
-  Integer group_denominator_;                // common denominator of the translations
-  std::vector<Vec<Integer>> translations_;   // times group_denominator_
+  Integer group_denominator_;               // common denominator of the translations
+  std::vector<Vec<Integer>> translations_;  // times group_denominator_
   Mat<Integer> gram_;
-  std::vector<LatticePoint> base_;           // by VertexId; the denominator is a multiple of group_denominator_
+  std::vector<LatticePoint> base_;  // by VertexId; the denominator is a multiple of group_denominator_
   std::vector<Vec<Ball>> base_ball_;
   std::vector<Mat<Ball>> linear_ball_;
   std::vector<Vec<Ball>> translation_ball_;
   Mat<Ball> gram_ball_;
 
-  std::array<Point, 5> points_;              // kept temporaries
+  std::array<Point, 5> points_;  // kept temporaries
   std::array<const Integer*, 5> denominators_{};
   Integer common_, factor_, determinant_, power_, a_, b_;
   std::array<Integer, 4> norms_;

@@ -14,7 +14,9 @@ bool is_integral(const Vec<Rational>& v) {
   return v[0].get_den() == 1 && v[1].get_den() == 1 && v[2].get_den() == 1;
 }
 
-Vec<Integer> numerators(const Vec<Rational>& v) { return {v[0].get_num(), v[1].get_num(), v[2].get_num()}; }
+Vec<Integer> numerators(const Vec<Rational>& v) {
+  return {v[0].get_num(), v[1].get_num(), v[2].get_num()};
+}
 
 void reduce_mod_1(Vec<Rational>& v) {
   for (Rational& x : v) {
@@ -160,7 +162,8 @@ std::string holonomy_name(const Group& group) {
   return n == 4 ? "Z2xZ2" : "order-" + std::to_string(n);
 }
 
-// Generators: e_1..e_d, then s_0..s_{n-1}. Relations: s_0 = 0; s_a e_i s_a^-1 = R_a e_i; s_a s_b = c(a,b) s_ab.
+// Generators: e_1..e_d, then s_0..s_{n-1}. Relations: s_0 = 0; s_a e_i s_a^-1 = R_a e_i; s_a s_b = c(a,b)
+// s_ab.
 AbelianGroup first_homology(const Group& group) {
   const auto d = static_cast<std::size_t>(group.dimension);
   const std::size_t n = group.order();

@@ -26,7 +26,7 @@ struct Element {
 
 struct Group {
   int dimension;
-  Mat<Rational> basis;            ///< columns: the lattice's basis in outer coordinates
+  Mat<Rational> basis;  ///< columns: the lattice's basis in outer coordinates
   Mat<Rational> basis_inverse;
   std::vector<Mat<Integer>> linear;
   std::vector<Vec<Rational>> translation;  ///< entries in [0,1)
@@ -58,8 +58,10 @@ struct TorsionElement {
 };
 
 /// A non-trivial element of finite order, if there is one.
-/// Law:     {R|t+l} has a fixed point iff t + l lies in the image of I - R over Q; with U (I-R) V = diag(D), iff
-///          (U (t+l))_i = 0 wherever D_i = 0; U is unimodular, so such an l exists iff those (U t)_i are integers.
+/// Law:     {R|t+l} has a fixed point iff t + l lies in the image of I - R over Q; with U (I-R) V = diag(D),
+/// iff
+///          (U (t+l))_i = 0 wherever D_i = 0; U is unimodular, so such an l exists iff those (U t)_i are
+///          integers.
 /// Source:  docs/soundness.md, section 2.
 [[nodiscard]] std::optional<TorsionElement> find_torsion(const Group& group);
 

@@ -1,10 +1,13 @@
 // The condition topology.homology: H_1 of the face complex, by collapses and a small Smith normal form.
 //
 // H_1 = Z^edges / (edges of a spanning tree, boundaries of triangles). Reductions that keep it:
-//   3D: the boundary of a cell is a relation among its triangles' boundaries, so along a spanning tree of cells and
+//   3D: the boundary of a cell is a relation among its triangles' boundaries, so along a spanning tree of
+//   cells and
 //       facets the triangle of each tree facet is a consequence of the others and is dropped;
-//   an edge that occurs once in one remaining triangle is the sum of that triangle's other edges: both are removed
-//       (a collapse); when no such edge is left, a triangle is set aside as a relation and the collapses go on.
+//   an edge that occurs once in one remaining triangle is the sum of that triangle's other edges: both are
+//   removed
+//       (a collapse); when no such edge is left, a triangle is set aside as a relation and the collapses go
+//       on.
 // What remains are a graph, of which a spanning forest is zero, and the relations set aside.
 // Source: Forman, "Morse theory for cell complexes" (1998); docs/soundness.md, section 6.
 #include <algorithm>
@@ -19,8 +22,8 @@ namespace flatdt::checker {
 namespace {
 
 constexpr std::size_t kMaxCells = 200'000;
-constexpr std::size_t kMaxCritical = 400;
-constexpr std::size_t kMaxTerms = 20'000'000;
+constexpr std::size_t kMaxCritical = 100;
+constexpr std::size_t kMaxTerms = 2'000'000;
 
 /// A side of a triangle: an edge with the sign it has in the boundary.
 struct Side {
@@ -33,7 +36,11 @@ using Chain = std::map<std::uint32_t, Integer>;  // over the remaining edges
 class FirstHomology {
  public:
   FirstHomology(std::size_t edges, std::vector<Triangle> triangles)
-      : triangles_(std::move(triangles)), uses_(edges), live_(triangles_.size(), true), incident_(edges), chain_(edges) {
+      : triangles_(std::move(triangles)),
+        uses_(edges),
+        live_(triangles_.size(), true),
+        incident_(edges),
+        chain_(edges) {
     for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
       for (const Side& side : triangles_[t]) {
         ++uses_[side.edge];
@@ -60,7 +67,8 @@ class FirstHomology {
     }
     if (generators > kMaxCritical || set_aside_.size() > kMaxCritical) return std::nullopt;
     std::size_t terms = 0;
-    for (std::size_t i = collapses_.size(); i-- > 0;) {  // the sides other than the edge were removed later or remain
+    for (std::size_t i = collapses_.size();
+         i-- > 0;) {  // the sides other than the edge were removed later or remain
       const auto& [edge, t] = collapses_[i];
       const Side own = *std::find_if(triangles_[t].begin(), triangles_[t].end(),
                                      [e = edge](const Side& side) { return side.edge == e; });
@@ -121,11 +129,11 @@ class FirstHomology {
   }
 
   std::vector<Triangle> triangles_;
-  std::vector<std::uint32_t> uses_;                    // sides of live triangles, by edge
+  std::vector<std::uint32_t> uses_;  // sides of live triangles, by edge
   std::vector<bool> live_;
   std::vector<std::vector<std::uint32_t>> incident_;
-  std::vector<Chain> chain_;                           // by edge, in terms of the generators
-  std::vector<std::uint32_t> free_;                    // queue of edges that may have one use
+  std::vector<Chain> chain_;         // by edge, in terms of the generators
+  std::vector<std::uint32_t> free_;  // queue of edges that may have one use
   std::vector<std::pair<std::uint32_t, std::uint32_t>> collapses_;
   std::vector<std::uint32_t> set_aside_;
 };
@@ -133,7 +141,8 @@ class FirstHomology {
 /// The boundary (01) + (12) - (02) of a triangle given by its key, in terms of sorted edges.
 Triangle boundary(const FaceKey& key, const std::vector<FaceKey>& edges, ElementTable& table) {
   Cell cell{};
-  std::array<ElementId, 3> lift{kIdentity, make_id<ElementId>(key.offset[0]), make_id<ElementId>(key.offset[1])};
+  std::array<ElementId, 3> lift{kIdentity, make_id<ElementId>(key.offset[0]),
+                                make_id<ElementId>(key.offset[1])};
   for (std::size_t i = 0; i < 3; ++i) {
     cell.vertex[i] = make_id<VertexId>(key.vertex[i]);
     for (std::size_t j = 0; j < 3; ++j) cell.offset[i][j] = table.left_quotient(lift[i], lift[j]);
@@ -142,7 +151,8 @@ Triangle boundary(const FaceKey& key, const std::vector<FaceKey>& edges, Element
   Triangle sides{};
   for (std::size_t s = 0; s < 3; ++s) {
     const CanonicalFace face = canonical_face(cell, kSides[s], 2);
-    sides[s].edge = static_cast<std::uint32_t>(std::lower_bound(edges.begin(), edges.end(), face.key) - edges.begin());
+    sides[s].edge =
+        static_cast<std::uint32_t>(std::lower_bound(edges.begin(), edges.end(), face.key) - edges.begin());
     sides[s].sign = face.corner[0] == kSides[s][0] ? 1 : -1;
   }
   return sides;
@@ -163,7 +173,8 @@ void check_homology(const Context& context) {
     UnionFind tree(complex.cells.size());
     for (std::uint32_t t = 0; t < context.pairs.size(); ++t) {
       const FacetPair& pair = context.pairs[t];
-      if (tree.join(index(context.occurrences[pair.first].cell), index(context.occurrences[pair.second].cell))) {
+      if (tree.join(index(context.occurrences[pair.first].cell),
+                    index(context.occurrences[pair.second].cell))) {
         homology.drop(t);
       }
     }

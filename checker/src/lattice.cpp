@@ -19,7 +19,9 @@ Integer floor_quotient(const Integer& a, const Integer& b) {
   return q;
 }
 
-bool divides(const Integer& a, const Integer& b) { return mpz_divisible_p(b.get_mpz_t(), a.get_mpz_t()) != 0; }
+bool divides(const Integer& a, const Integer& b) {
+  return mpz_divisible_p(b.get_mpz_t(), a.get_mpz_t()) != 0;
+}
 
 }  // namespace
 
@@ -86,7 +88,8 @@ void Lattice::insert_integral(Vec<Integer> v) {
 void Lattice::normalise() {
   for (std::size_t c = dimension_; c-- > 0;) {
     for (std::size_t k = c + 1; k < dimension_; ++k) {
-      if (rows_[c] && rows_[k]) subtract_multiple(*rows_[c], floor_quotient((*rows_[c])[k], (*rows_[k])[k]), *rows_[k]);
+      if (rows_[c] && rows_[k])
+        subtract_multiple(*rows_[c], floor_quotient((*rows_[c])[k], (*rows_[k])[k]), *rows_[k]);
     }
     if (!rows_[c]) continue;
     for (const Integer& x : *rows_[c]) require_size(x, "an entry of the lattice's basis");

@@ -1,7 +1,8 @@
 // Subgroups of Q^d generated one vector at a time, in row Hermite normal form over one common denominator.
 //
-// Invariants: row c, if present, has its first nonzero entry in column c, and it is positive; the entries of other rows
-// in that column lie in [0, pivot).   Source: Cohen, A Course in Computational Algebraic Number Theory, 2.4.
+// Invariants: row c, if present, has its first nonzero entry in column c, and it is positive; the entries of
+// other rows in that column lie in [0, pivot).   Source: Cohen, A Course in Computational Algebraic Number
+// Theory, 2.4.
 #pragma once
 
 #include <array>
@@ -11,8 +12,8 @@
 
 namespace flatdt::checker {
 
-/// Numerators and common denominators of groups may have this many bits (a limit of the checker's own): every single
-/// token of an input fits, only common denominators of many different ones do not.
+/// Numerators and common denominators of groups may have this many bits (a limit of the checker's own): every
+/// single token of an input fits, only common denominators of many different ones do not.
 inline constexpr std::size_t kMaxGroupBits = 20'000;
 
 /// Throws ResourceLimit if x has more than kMaxGroupBits bits; `what` names it.

@@ -19,7 +19,8 @@ class Lexer {
   Lexer(std::istream& in, std::string file);
 
   /// The next token, valid until the next call; empty exactly at the end of the file.
-  /// Errors: MalformedInput for a byte that is not allowed, a token too long, or a file ending directly after a token.
+  /// Errors: MalformedInput for a byte that is not allowed, a token too long, or a file ending directly after
+  /// a token.
   std::string_view next();
 
   /// The next token, which must be `word`.

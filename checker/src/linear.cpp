@@ -31,7 +31,8 @@ Vec<Rational> apply(int d, const Seitz& g, const Vec<Rational>& x) {
 }
 
 Seitz change_basis(int d, const Seitz& g, const Mat<Rational>& basis, const Mat<Rational>& basis_inverse) {
-  return {multiply(d, basis_inverse, multiply(d, g.linear, basis)), multiply(d, basis_inverse, g.translation)};
+  return {multiply(d, basis_inverse, multiply(d, g.linear, basis)),
+          multiply(d, basis_inverse, g.translation)};
 }
 
 Rational squared_norm(int d, const Mat<Rational>& gram, const Vec<Rational>& v) {
@@ -49,7 +50,8 @@ std::string to_string(int d, const Seitz& g) {
   std::string text = "[";
   for (std::size_t i = 0; i < static_cast<std::size_t>(d); ++i) {
     if (i != 0) text += ";";
-    for (std::size_t j = 0; j < static_cast<std::size_t>(d); ++j) text += (j == 0 ? "" : ",") + g.linear[i][j].get_str();
+    for (std::size_t j = 0; j < static_cast<std::size_t>(d); ++j)
+      text += (j == 0 ? "" : ",") + g.linear[i][j].get_str();
     text += "|" + g.translation[i].get_str();
   }
   return text + "]";

@@ -64,8 +64,8 @@ template <class T>
   if (d == 1) return a[0][0];
   const T minor = a[0][0] * a[1][1] - a[0][1] * a[1][0];
   if (d == 2) return minor;
-  return a[0][2] * (a[1][0] * a[2][1] - a[1][1] * a[2][0]) - a[1][2] * (a[0][0] * a[2][1] - a[0][1] * a[2][0]) +
-         a[2][2] * minor;
+  return a[0][2] * (a[1][0] * a[2][1] - a[1][1] * a[2][0]) -
+         a[1][2] * (a[0][0] * a[2][1] - a[0][1] * a[2][0]) + a[2][2] * minor;
 }
 
 /// Inverse by cofactors. Requires: determinant not 0.
@@ -76,7 +76,8 @@ template <class T>
 /// g x.
 [[nodiscard]] Vec<Rational> apply(int d, const Seitz& g, const Vec<Rational>& x);
 /// The map of g in the coordinates y with x = basis y.
-[[nodiscard]] Seitz change_basis(int d, const Seitz& g, const Mat<Rational>& basis, const Mat<Rational>& basis_inverse);
+[[nodiscard]] Seitz change_basis(int d, const Seitz& g, const Mat<Rational>& basis,
+                                 const Mat<Rational>& basis_inverse);
 
 /// v^T gram v.
 [[nodiscard]] Rational squared_norm(int d, const Mat<Rational>& gram, const Vec<Rational>& v);

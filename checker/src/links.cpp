@@ -1,5 +1,6 @@
-// The condition links.spheres, from lifts: the link of the base lift of a vertex v consists of the faces opposite to it
-// in all cells h_i^-1 c, for corners i of cells c at v.   Source: FORMAT.md; docs/soundness.md, section 6.
+// The condition links.spheres, from lifts: the link of the base lift of a vertex v consists of the faces
+// opposite to it in all cells h_i^-1 c, for corners i of cells c at v.   Source: FORMAT.md;
+// docs/soundness.md, section 6.
 #include <algorithm>
 #include <utility>
 
@@ -52,7 +53,8 @@ Link make_link(const Complex& complex, const std::vector<Corner>& star) {
   for (const auto& simplex : keys) {
     LinkSimplex& local = link.simplices.emplace_back();
     for (std::size_t k = 0; k + 1 < complex.corners; ++k) {
-      local[k] = static_cast<std::uint32_t>(std::lower_bound(all.begin(), all.end(), simplex[k]) - all.begin());
+      local[k] =
+          static_cast<std::uint32_t>(std::lower_bound(all.begin(), all.end(), simplex[k]) - all.begin());
     }
   }
   return link;
@@ -73,8 +75,8 @@ const char* cycle_defect(const Link& link) {
   return components.count() == 1 ? nullptr : "the-link-is-not-connected";
 }
 
-/// Why a set of triangles is no sphere, or null: every edge has two triangles, the triangles around every vertex form
-/// one cycle (so it is a closed surface), it is connected, and V - E + F = 2.
+/// Why a set of triangles is no sphere, or null: every edge has two triangles, the triangles around every
+/// vertex form one cycle (so it is a closed surface), it is connected, and V - E + F = 2.
 const char* sphere_defect(const Link& link) {
   std::vector<LinkEdge> sides;
   for (std::size_t t = 0; t < link.simplices.size(); ++t) {
@@ -87,8 +89,9 @@ const char* sphere_defect(const Link& link) {
                                   : LinkEdge{at_b, at_a, 3 * t + b, 3 * t + a});
     }
   }
-  std::sort(sides.begin(), sides.end(),
-            [](const LinkEdge& a, const LinkEdge& b) { return std::pair(a.low, a.high) < std::pair(b.low, b.high); });
+  std::sort(sides.begin(), sides.end(), [](const LinkEdge& a, const LinkEdge& b) {
+    return std::pair(a.low, a.high) < std::pair(b.low, b.high);
+  });
   UnionFind umbrellas(3 * link.simplices.size());  // corners joined across edges at their vertex
   UnionFind components(link.simplices.size());
   std::size_t edges = 0;
@@ -101,7 +104,8 @@ const char* sphere_defect(const Link& link) {
   }
   if (umbrellas.count() != link.vertices) return "the-link-is-pinched-at-a-vertex";
   if (components.count() != 1) return "the-link-is-not-connected";
-  return link.vertices + link.simplices.size() == edges + 2 ? nullptr : "the-Euler-number-of-the-link-is-not-2";
+  return link.vertices + link.simplices.size() == edges + 2 ? nullptr
+                                                            : "the-Euler-number-of-the-link-is-not-2";
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // NUMBER tokens: rationals, decimals and hexadecimals, read without rounding.
-// The grammar is checked by hand before GMP sees a digit: GMP would accept white space and other bases, and it raises
-// SIGFPE on a zero denominator.   Source: FORMAT.md, "Lexical rules".
+// The grammar is checked by hand before GMP sees a digit: GMP would accept white space and other bases, and
+// it raises SIGFPE on a zero denominator.   Source: FORMAT.md, "Lexical rules".
 #include <stdexcept>
 #include <string>
 

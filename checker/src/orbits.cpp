@@ -38,7 +38,8 @@ Canonical canonical_point(const Group& group, const Integer& group_denominator, 
     for (std::size_t i = 0; i < static_cast<std::size_t>(d); ++i) {
       const Rational& t = group.translation[r][i];
       image[i] += t.get_num() * (best.denominator / t.get_den());
-      mpz_fdiv_qr(shift[i].get_mpz_t(), image[i].get_mpz_t(), image[i].get_mpz_t(), best.denominator.get_mpz_t());
+      mpz_fdiv_qr(shift[i].get_mpz_t(), image[i].get_mpz_t(), image[i].get_mpz_t(),
+                  best.denominator.get_mpz_t());
       shift[i] = -shift[i];
     }
     if (r == 0 || compare(image, best.numerator) < 0) {

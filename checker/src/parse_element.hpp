@@ -10,7 +10,8 @@
 
 namespace flatdt::checker {
 
-/// Reads "COUNT elements" with at least `least` and at most 10,000 of them.   Cost: memory as read, not as claimed.
+/// Reads "COUNT elements" with at least `least` and at most 10,000 of them.   Cost: memory as read, not as
+/// claimed.
 [[nodiscard]] inline std::vector<Seitz> parse_generators(Lexer& lexer, int dimension, std::uint64_t least) {
   constexpr std::uint64_t kMaxGenerators = 10'000;
   const std::uint64_t n = lexer.count("the number of generators", least, kMaxGenerators);

@@ -17,10 +17,11 @@ constexpr std::uint64_t kMaxPoints = 100'000'000;
 const Manifold* parse_claim(Lexer& lexer, Instance& instance, std::string& name) {
   name = lexer.next();
   const Manifold* manifold = find_manifold(name);
-  if (manifold == nullptr) lexer.fail("unknown manifold " + lexer.found() + "; expected a name or alias of the catalogue");
+  if (manifold == nullptr)
+    lexer.fail("unknown manifold " + lexer.found() + "; expected a name or alias of the catalogue");
   if (manifold->dimension != instance.dimension) {
-    lexer.fail("manifold " + lexer.found() + " has dimension " + std::to_string(manifold->dimension) + ", not " +
-               std::to_string(instance.dimension));
+    lexer.fail("manifold " + lexer.found() + " has dimension " + std::to_string(manifold->dimension) +
+               ", not " + std::to_string(instance.dimension));
   }
   instance.claim = std::string(manifold->name);
   return manifold;
@@ -81,8 +82,10 @@ Instance parse_instance(std::istream& in, const std::string& file) {
     instance.metric = identity<Rational>(d);
   }
   if (keyword != "points") {
-    lexer.fail("expected 'points' (sections: dimension, manifold, generators, metric, points, in this order), found " +
-               lexer.found());
+    lexer.fail(
+        "expected 'points' (sections: dimension, manifold, generators, metric, points, in this order), "
+        "found " +
+        lexer.found());
   }
   const std::uint64_t n = lexer.count("the number of points", 1, kMaxPoints);
   for (std::uint64_t i = 0; i < n; ++i) {

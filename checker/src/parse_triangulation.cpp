@@ -65,7 +65,8 @@ Triangulation parse_triangulation(std::istream& in, const std::string& file, con
     keyword = lexer.next();
   }
   if (keyword != "elements") {
-    lexer.fail("expected 'elements' (sections: subgroup, elements, cells, in this order), found " + lexer.found());
+    lexer.fail("expected 'elements' (sections: subgroup, elements, cells, in this order), found " +
+               lexer.found());
   }
   const std::uint64_t element_count = lexer.count("the number of elements", 0, kMaxElements);
   NumberPool pool(result.numbers);

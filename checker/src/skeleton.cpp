@@ -1,8 +1,8 @@
-// The conditions on simplices and the 1-skeleton: simplices.injective, skeleton.no-loop, skeleton.no-2-cycle and
-// complex.intersection.   Source: Definitions 1 (ii) and 3 and Theorem 7 of Caroli & Teillaud.
+// The conditions on simplices and the 1-skeleton: simplices.injective, skeleton.no-loop, skeleton.no-2-cycle
+// and complex.intersection.   Source: Definitions 1 (ii) and 3 and Theorem 7 of Caroli & Teillaud.
+#include <algorithm>
 #include <boost/graph/compressed_sparse_row_graph.hpp>
 #include <boost/range/iterator_range.hpp>
-#include <algorithm>
 #include <utility>
 
 #include "context.hpp"
@@ -11,9 +11,10 @@ namespace flatdt::checker {
 namespace {
 
 using Skeleton = boost::compressed_sparse_row_graph<boost::directedS, boost::no_property, boost::no_property,
-                                                    boost::no_property, std::uint32_t, std::uint32_t>;
+                                                    boost::no_property, std::uint32_t, std::size_t>;
 
-/// The 1-skeleton modulo H; edge k of the graph is edges[k], directed from its first vertex, which is the least.
+/// The 1-skeleton modulo H; edge k of the graph is edges[k], directed from its first vertex, which is the
+/// least.
 Skeleton make_skeleton(const std::vector<FaceKey>& edges, std::size_t vertices) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;
   ends.reserve(edges.size());
@@ -37,7 +38,8 @@ void check_simplices(const Context& context) {
     for (std::size_t i = 0; i < complex.corners; ++i) {
       for (std::size_t j = i + 1; j < complex.corners; ++j) {
         if (cell.vertex[i] != cell.vertex[j] || cell.offset[i][j] == kIdentity) continue;
-        // offset[0][j] offset[0][i]^-1 takes corner i to corner j of the normalised cell; conjugated by the anchor.
+        // offset[0][j] offset[0][i]^-1 takes corner i to corner j of the normalised cell; conjugated by the
+        // anchor.
         ElementTable& table = context.table;
         const ElementId to_i = table.product(cell.anchor, cell.offset[0][i]);
         const ElementId to_j = table.product(cell.anchor, cell.offset[0][j]);
@@ -57,7 +59,8 @@ void check_skeleton(const Context& context) {
   using enum ConditionName;
   const std::vector<FaceKey>& edges = context.faces[2];
   const Skeleton skeleton = make_skeleton(edges, context.complex.vertices.size());
-  const Witness size = {{"vertices", number_text(num_vertices(skeleton))}, {"edges", number_text(edges.size())}};
+  const Witness size = {{"vertices", number_text(num_vertices(skeleton))},
+                        {"edges", number_text(edges.size())}};
   context.holds(skeleton_no_loop, size);
   context.holds(skeleton_no_2_cycle, size);
   std::size_t number = 0;  // of the graph's edge e in `edges`

@@ -6,14 +6,16 @@
 namespace flatdt::checker {
 namespace {
 
-/// Moves an entry of least absolute value of the block [k..) x [k..width) to (k, k); false if the block is zero.
+/// Moves an entry of least absolute value of the block [k..) x [k..width) to (k, k); false if the block is
+/// zero.
 bool bring_pivot(Rows& rows, std::size_t k, std::size_t width) {
   std::size_t best_row = rows.size();
   std::size_t best_column = 0;
   for (std::size_t i = k; i < rows.size(); ++i) {
     for (std::size_t j = k; j < width; ++j) {
       if (rows[i][j] == 0) continue;
-      if (best_row == rows.size() || mpz_cmpabs(rows[i][j].get_mpz_t(), rows[best_row][best_column].get_mpz_t()) < 0) {
+      if (best_row == rows.size() ||
+          mpz_cmpabs(rows[i][j].get_mpz_t(), rows[best_row][best_column].get_mpz_t()) < 0) {
         best_row = i;
         best_column = j;
       }

@@ -22,9 +22,9 @@ struct AbelianGroup {
 /// "Z^2+Z/2", "Z", "0".
 [[nodiscard]] std::string to_string(const AbelianGroup& group);
 
-/// Brings the first `width` columns to diagonal form by unimodular row and column operations, and returns the diagonal
-/// (not negative, nonzero entries first). Columns from `width` on follow the row operations only: appending the
-/// identity yields the row transformation.
+/// Brings the first `width` columns to diagonal form by unimodular row and column operations, and returns the
+/// diagonal (not negative, nonzero entries first). Columns from `width` on follow the row operations only:
+/// appending the identity yields the row transformation.
 std::vector<Integer> diagonalise(Rows& rows, std::size_t width);
 
 /// The abelian group of `generators` generators with one relation per row.

@@ -33,9 +33,11 @@ std::variant<Subgroup, Witness> Subgroup::make(const Group& group, const std::ve
   }
   const std::variant<Crystal, Witness> closed = close_group(d, inner, nullptr);
   const Crystal* crystal = std::get_if<Crystal>(&closed);
-  if (crystal == nullptr) throw InternalError("a subgroup of a crystallographic group is not crystallographic");
+  if (crystal == nullptr)
+    throw InternalError("a subgroup of a crystallographic group is not crystallographic");
   if (crystal->lattice.rank() < d) {
-    return Witness{{"reason", "infinite-index"}, {"rank-of-lattice", std::to_string(crystal->lattice.rank())}};
+    return Witness{{"reason", "infinite-index"},
+                   {"rank-of-lattice", std::to_string(crystal->lattice.rank())}};
   }
   return Subgroup(group, *crystal);
 }

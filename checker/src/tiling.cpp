@@ -1,5 +1,5 @@
-// The conditions that make the cells a tiling: vertices.complete, cells.nondegenerate, facets.paired, facets.opposite,
-// volume.exact.   Source: docs/soundness.md, section 3.
+// The conditions that make the cells a tiling: vertices.complete, cells.nondegenerate, facets.paired,
+// facets.opposite, volume.exact.   Source: docs/soundness.md, section 3.
 #include <algorithm>
 #include <map>
 #include <utility>
@@ -11,8 +11,8 @@
 namespace flatdt::checker {
 namespace {
 
-/// Adds fractions by denominator first and then in a balanced tree, so that the work is quasi-linear in the bits even
-/// when all denominators differ; a running sum would be quadratic.
+/// Adds fractions by denominator first and then in a balanced tree, so that the work is quasi-linear in the
+/// bits even when all denominators differ; a running sum would be quadratic.
 class FractionSum {
  public:
   void add(const Integer& numerator, const Integer& denominator) {
@@ -51,7 +51,8 @@ Witness facet_witness(const Context& context, const Occurrence& o) {
 }
 
 /// det[p_1 - p_0 .. p_d - p_0] with p_facet replaced by `apex`, in the instance's coordinates.
-Rational orientation_with(int d, std::vector<Vec<Rational>> points, std::size_t facet, const Vec<Rational>& apex) {
+Rational orientation_with(int d, std::vector<Vec<Rational>> points, std::size_t facet,
+                          const Vec<Rational>& apex) {
   points[facet] = apex;
   Mat<Rational> rows;
   for (std::size_t k = 0; k < static_cast<std::size_t>(d); ++k) rows[k] = subtract(points[k + 1], points[0]);
@@ -71,12 +72,13 @@ void check_opposite(Context& context) {
     const std::vector<Vec<Rational>> points = cell_points(context, a.cell);
     const Vec<Rational> apex =
         apply(d, context.group.outer_seitz(context.table[gluing]), cell_points(context, b.cell)[b.facet]);
-    witness.insert(witness.end(), {{"other-cell", number_text(index(b.cell))},
-                                   {"other-facet", number_text(b.facet)},
-                                   {"gluing", element_text(context, gluing)},
-                                   {"other-apex", to_string(d, apex)},
-                                   {"determinant", orientation_with(d, points, a.facet, points[a.facet]).get_str()},
-                                   {"other-determinant", orientation_with(d, points, a.facet, apex).get_str()}});
+    witness.insert(witness.end(),
+                   {{"other-cell", number_text(index(b.cell))},
+                    {"other-facet", number_text(b.facet)},
+                    {"gluing", element_text(context, gluing)},
+                    {"other-apex", to_string(d, apex)},
+                    {"determinant", orientation_with(d, points, a.facet, points[a.facet]).get_str()},
+                    {"other-determinant", orientation_with(d, points, a.facet, apex).get_str()}});
     context.fails(facets_opposite, std::move(witness));
     return;
   }
@@ -129,12 +131,14 @@ void check_cells(Context& context) {
                                         {"cell-points", cell_text(context, make_id<CellId>(degenerate))},
                                         {"determinant", "0"}});
   }
-  // In the instance's coordinates a unit cell of G's lattice has volume |det basis|; a simplex 1/d! of its determinant.
+  // In the instance's coordinates a unit cell of G's lattice has volume |det basis|; a simplex 1/d! of its
+  // determinant.
   const int d = context.group.dimension;
   const Rational unit = abs(determinant(d, context.group.basis));
   const Rational volume = sum.total() / (d == 2 ? 2 : 6);
   const Rational& expected = context.subgroup.volume();
-  Witness witness = {{"volume-of-cells", number_text(volume * unit)}, {"expected", number_text(expected * unit)}};
+  Witness witness = {{"volume-of-cells", number_text(volume * unit)},
+                     {"expected", number_text(expected * unit)}};
   if (volume == expected) {
     context.holds(volume_exact, std::move(witness));
   } else {
@@ -171,7 +175,8 @@ void check_facets(Context& context) {
   check_opposite(context);
 }
 
-// Moving the normalised cell by offset[0][base]^-1 multiplies its orientation by the determinant of the linear part.
+// Moving the normalised cell by offset[0][base]^-1 multiplies its orientation by the determinant of the
+// linear part.
 Sign side_of(const Context& context, const Occurrence& occurrence) {
   const Cell& cell = context.complex.cells[index(occurrence.cell)];
   const Sign orientation = context.orientation[index(occurrence.cell)];

@@ -11,7 +11,7 @@ namespace {
 
 // Directed, with every edge in both directions: the compressed graph exists in no undirected form.
 using Graph = boost::compressed_sparse_row_graph<boost::directedS, boost::no_property, boost::no_property,
-                                                 boost::no_property, std::uint32_t, std::uint32_t>;
+                                                 boost::no_property, std::uint32_t, std::size_t>;
 using Edges = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
 /// The component of every vertex of a graph, and their number.
@@ -33,12 +33,13 @@ void check_connected(const Context& context) {
   using enum ConditionName;
   Edges edges;
   for (const FacetPair& pair : context.pairs) {
-    edges.emplace_back(index(context.occurrences[pair.first].cell), index(context.occurrences[pair.second].cell));
+    edges.emplace_back(index(context.occurrences[pair.first].cell),
+                       index(context.occurrences[pair.second].cell));
   }
   std::vector<std::uint32_t> component;
   const std::size_t count = components(edges, context.complex.cells.size(), component);
   Witness witness = {{"components", number_text(count)}};
-  if (count == 1) {
+  if (count <= 1) {  // no two cells that are not joined; other conditions refute the empty complex
     context.holds(topology_connected, std::move(witness));
     return;
   }
@@ -68,9 +69,9 @@ void check_euler(const Context& context) {
   }
 }
 
-// The orientation cover has vertices (cell, +) = 2c and (cell, -) = 2c+1. Orientations of two cells agree across a
-// facet iff the orders (facet's list, apex) that they give it have different signs. The complex is orientable iff no
-// path leads from (c, +) to (c, -).
+// The orientation cover has vertices (cell, +) = 2c and (cell, -) = 2c+1. Orientations of two cells agree
+// across a facet iff the orders (facet's list, apex) that they give it have different signs. The complex is
+// orientable iff no path leads from (c, +) to (c, -).
 void check_orientable(const Context& context) {
   using enum ConditionName;
   Edges edges;

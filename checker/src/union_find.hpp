@@ -11,7 +11,8 @@ namespace flatdt::checker {
 
 class UnionFind {
  public:
-  explicit UnionFind(std::size_t size) : parent_(size), rank_(size), sets_(rank_.data(), parent_.data()), count_(size) {
+  explicit UnionFind(std::size_t size)
+      : parent_(size), rank_(size), sets_(rank_.data(), parent_.data()), count_(size) {
     std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
   }
   UnionFind(const UnionFind&) = delete;

@@ -6,23 +6,25 @@ namespace flatdt::checker {
 namespace {
 
 constexpr std::array<std::string_view, kConditionCount> kNames = {
-    "group.crystallographic", "group.torsion-free", "group.name",           "subgroup.member",
-    "vertices.complete",      "cells.nondegenerate", "facets.paired",       "facets.opposite",
-    "volume.exact",           "delaunay.empty",      "simplices.injective", "skeleton.no-loop",
-    "skeleton.no-2-cycle",    "complex.intersection", "links.spheres",      "topology.connected",
-    "topology.euler",         "topology.orientable", "topology.homology"};
+    "group.crystallographic", "group.torsion-free",   "group.name",          "subgroup.member",
+    "vertices.complete",      "cells.nondegenerate",  "facets.paired",       "facets.opposite",
+    "volume.exact",           "delaunay.empty",       "simplices.injective", "skeleton.no-loop",
+    "skeleton.no-2-cycle",    "complex.intersection", "links.spheres",       "topology.connected",
+    "topology.euler",         "topology.orientable",  "topology.homology"};
 
 /// The first disagreement among conditions that must agree, or empty.   Source: docs/soundness.md, section 6.
 std::string disagreement(const Verdict& v) {
   using enum ConditionName;
   const auto holds = [&](ConditionName name) { return v[name].status == Status::holds; };
-  const bool tiling = holds(cells_nondegenerate) && holds(facets_paired) && holds(facets_opposite) && holds(volume_exact);
+  const bool tiling =
+      holds(cells_nondegenerate) && holds(facets_paired) && holds(facets_opposite) && holds(volume_exact);
   if (!tiling) return "";
   if (holds(simplices_injective) != holds(skeleton_no_loop)) {
     return "simplices.injective and skeleton.no-loop must agree in a tiling";
   }
   if (holds(complex_intersection) != (holds(skeleton_no_loop) && holds(skeleton_no_2_cycle))) {
-    return "complex.intersection must hold in a tiling exactly if skeleton.no-loop and skeleton.no-2-cycle do";
+    return "complex.intersection must hold in a tiling exactly if skeleton.no-loop and skeleton.no-2-cycle "
+           "do";
   }
   for (const ConditionName name :
        {links_spheres, topology_connected, topology_euler, topology_orientable, topology_homology}) {
@@ -33,7 +35,9 @@ std::string disagreement(const Verdict& v) {
 
 }  // namespace
 
-std::string_view to_string(ConditionName name) { return kNames[static_cast<std::size_t>(name)]; }
+std::string_view to_string(ConditionName name) {
+  return kNames[static_cast<std::size_t>(name)];
+}
 
 std::string_view to_string(Status status) {
   constexpr std::array<std::string_view, 3> kWords = {"holds", "fails", "skipped"};

@@ -1,15 +1,18 @@
-// Witness texts. They are computed afresh with rationals in the coordinates of the files, so that each can be followed
-// by hand; nothing here decides.
+// Witness texts. They are computed afresh with rationals in the coordinates of the files, so that each can be
+// followed by hand; nothing here decides.
 #include "context.hpp"
 #include "linear.hpp"
 
 namespace flatdt::checker {
 
-std::string number_text(std::size_t number) { return std::to_string(number); }
+std::string number_text(std::size_t number) {
+  return std::to_string(number);
+}
 
 std::string number_text(const Rational& number) {
   constexpr std::size_t kMostBits = 20'000;  // 10^6 cells with unrelated denominators sum to megabytes
-  const std::size_t bits = mpz_sizeinbase(number.get_num_mpz_t(), 2) + mpz_sizeinbase(number.get_den_mpz_t(), 2);
+  const std::size_t bits =
+      mpz_sizeinbase(number.get_num_mpz_t(), 2) + mpz_sizeinbase(number.get_den_mpz_t(), 2);
   if (bits > kMostBits) return "(rational-of-" + std::to_string(bits) + "-bits)";
   return number.get_str();
 }
@@ -54,7 +57,8 @@ std::string cell_text(const Context& context, CellId cell) {
   return text;
 }
 
-// anchor_a offset_a[0][base_a] and its counterpart for b take the canonical facet to the two facets of the file.
+// anchor_a offset_a[0][base_a] and its counterpart for b take the canonical facet to the two facets of the
+// file.
 ElementId file_gluing(const Context& context, const Occurrence& a, const Occurrence& b) {
   ElementTable& table = context.table;
   const auto to_file = [&](const Occurrence& o) {

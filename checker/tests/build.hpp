@@ -28,8 +28,8 @@ inline Verdict judge(const std::string& instance_text, const std::string& triang
   return check(instance, read_triangulation(triangulation_text, instance));
 }
 
-/// One letter for each condition in order: h(olds), f(ails), s(kipped); grouped as group, subgroup, the six of the
-/// tiling, simplices and skeleton and intersection, links, topology.
+/// One letter for each condition in order: h(olds), f(ails), s(kipped); grouped as group, subgroup, the six
+/// of the tiling, simplices and skeleton and intersection, links, topology.
 inline std::string statuses(const Verdict& verdict) {
   std::string text;
   for (std::size_t i = 0; i < kConditionCount; ++i) {
@@ -91,7 +91,9 @@ inline std::string shift(const std::vector<int>& v) {
   return text;
 }
 
-inline int floor_div(int a, int b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
+inline int floor_div(int a, int b) {
+  return a >= 0 ? a / b : -((-a + b - 1) / b);
+}
 
 /// The vertex of the torus grid of points (x/m, y/n), numbered x + m y, at (x/m, y/n) for any integers x, y.
 inline std::pair<std::size_t, std::string> grid_vertex(int x, int y, int m, int n) {
@@ -101,8 +103,8 @@ inline std::pair<std::size_t, std::string> grid_vertex(int x, int y, int m, int 
 }
 
 /// Instance: the square torus with the grid points (x/m, y/n).
-inline std::string grid_instance(int m, int n, const std::string& metric = "", const std::string& more_points = "",
-                                 int more = 0) {
+inline std::string grid_instance(int m, int n, const std::string& metric = "",
+                                 const std::string& more_points = "", int more = 0) {
   std::ostringstream out;
   out << "flatdt-instance 1 dimension 2 generators 2 1 0 1 0 1 0  1 0 0 0 1 1 ";
   if (!metric.empty()) out << "metric " << metric << ' ';
@@ -128,11 +130,14 @@ inline TriangulationText grid_triangulation(int m, int n) {
 }
 
 /// Kuhn's triangulation of Z^3 (one point, the cubic torus), modulo (k Z)^3.
-inline const char* cubic_point() { return "flatdt-instance 1 dimension 3 manifold torocosm points 1 0 0 0\n"; }
+inline const char* cubic_point() {
+  return "flatdt-instance 1 dimension 3 manifold torocosm points 1 0 0 0\n";
+}
 inline TriangulationText kuhn_triangulation(int k) {
   TriangulationText t;
   t.subgroup = {shift({k, 0, 0}), shift({0, k, 0}), shift({0, 0, k})};
-  const std::array<std::array<int, 3>, 6> orders = {{{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
+  const std::array<std::array<int, 3>, 6> orders = {
+      {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
   for (int x = 0; x < k * k * k; ++x) {
     for (const auto& order : orders) {
       std::vector<int> v = {x % k, x / k % k, x / (k * k)};

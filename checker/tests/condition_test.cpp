@@ -1,6 +1,6 @@
 // Every condition on hand-made inputs: the status of all conditions, the verdict, and witnesses recomputed.
-// Letters: group, subgroup, (vertices cells paired opposite volume delaunay), (injective loop 2-cycle intersection),
-// links, (connected euler orientable homology).
+// Letters: group, subgroup, (vertices cells paired opposite volume delaunay), (injective loop 2-cycle
+// intersection), links, (connected euler orientable homology).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,8 +19,10 @@ void expect(const Verdict& verdict, const std::string& expected, Outcome outcome
 }
 
 TEST(Conditions, GridsAreVerified) {
-  expect(judge(grid_instance(3, 3), grid_triangulation(3, 3).str()), "hhs h hhhhhh hhhh h hhhh", Outcome::verified);
-  expect(judge(grid_instance(5, 4), grid_triangulation(5, 4).str()), "hhs h hhhhhh hhhh h hhhh", Outcome::verified);
+  expect(judge(grid_instance(3, 3), grid_triangulation(3, 3).str()), "hhs h hhhhhh hhhh h hhhh",
+         Outcome::verified);
+  expect(judge(grid_instance(5, 4), grid_triangulation(5, 4).str()), "hhs h hhhhhh hhhh h hhhh",
+         Outcome::verified);
   expect(judge(cubic_point(), kuhn_triangulation(3).str()), "hhh h hhhhhh hhhh h hhhh", Outcome::verified);
   expect(judge(cubic_point(), kuhn_triangulation(4).str()), "hhh h hhhhhh hhhh h hhhh", Outcome::verified);
 }
@@ -65,7 +67,8 @@ TEST(Conditions, RepeatedPoints) {
       element = shift({-2, 1});
     }
   }
-  expect(judge(grid_instance(3, 3, "", "7/3 -2/3", 1), t.str()), "hhs h hhhhhh hhhh h hhhh", Outcome::verified);
+  expect(judge(grid_instance(3, 3, "", "7/3 -2/3", 1), t.str()), "hhs h hhhhhh hhhh h hhhh",
+         Outcome::verified);
 }
 
 // --- vertices.complete
@@ -78,15 +81,17 @@ TEST(Conditions, MissingPoint) {
   EXPECT_EQ(witness(v, vertices_complete, "copies-of-point"), "0");
 }
 
-// In a covering every copy counts: Kuhn's triangulation of (2Z)^3, claimed for one point of the index-8 sublattice's
-// double cover, lacks no copy; with a second point of the instance it lacks all of that point's.
+// In a covering every copy counts: Kuhn's triangulation of (2Z)^3, claimed for one point of the index-8
+// sublattice's double cover, lacks no copy; with a second point of the instance it lacks all of that point's.
 TEST(Conditions, MissingCopies) {
-  const Verdict v = judge("flatdt-instance 1 dimension 3 manifold P1 points 2 0 0 0 1/2 1/3 1/4 ", kuhn_triangulation(3).str());
+  const Verdict v = judge("flatdt-instance 1 dimension 3 manifold P1 points 2 0 0 0 1/2 1/3 1/4 ",
+                          kuhn_triangulation(3).str());
   expect(v, "hhh h fhhhhs hhhh h hhhh", Outcome::refuted);
   EXPECT_EQ(witness(v, vertices_complete, "expected"), "54");
 }
 
-// --- cells.nondegenerate: the edge (0,0)-(1/3,0) split on its upper side only, and the gap filled by a flat cell.
+// --- cells.nondegenerate: the edge (0,0)-(1/3,0) split on its upper side only, and the gap filled by a flat
+// cell.
 TEST(Conditions, FlatCellInAGap) {
   TriangulationText t = grid_triangulation(3, 3);
   const auto a = grid_vertex(0, 0, 3, 3);
@@ -140,7 +145,7 @@ TEST(Conditions, ReplacedCell) {
 
 TEST(Conditions, NoCells) {
   const Verdict v = judge(grid_instance(3, 3), "flatdt-triangulation 1 elements 0 cells 0 ");
-  expect(v, "hhs h fhhhfs hhhs h fhhf", Outcome::refuted);
+  expect(v, "hhs h fhhhfs hhhs h hhhf", Outcome::refuted);
 }
 
 TEST(Conditions, OneCellTwice) {
@@ -151,8 +156,9 @@ TEST(Conditions, OneCellTwice) {
   expect(v, "hhs h fhhffs hhhs f hfhf", Outcome::refuted);
 }
 
-// --- facets.opposite: the strip 0 <= y <= 1/2 covered twice by different triangles, the rest not at all. Every facet
-// occurs twice, the volume is right, and as a complex it is a torus; only the folds at the strip's edges are wrong.
+// --- facets.opposite: the strip 0 <= y <= 1/2 covered twice by different triangles, the rest not at all.
+// Every facet occurs twice, the volume is right, and as a complex it is a torus; only the folds at the
+// strip's edges are wrong.
 TriangulationText doubled_strip(int m) {
   TriangulationText t;
   for (const int slant : {0, 2}) {
@@ -188,15 +194,18 @@ TEST(Conditions, DoubledStripInTheKleinBottle) {
   EXPECT_EQ(witness(v, topology_homology, "manifold"), "Z+Z/2");
 }
 
-// One dimension up, in the dicosm of height 1/2: the doubled slab is a 3-torus; connected, orientable, Euler number 0.
+// One dimension up, in the dicosm of height 1/2: the doubled slab is a 3-torus; connected, orientable, Euler
+// number 0.
 TEST(Conditions, DoubledSlabInTheDicosm) {
   constexpr int m = 7;
   std::string instance = "flatdt-instance 1 dimension 3 manifold dicosm points 98 ";
   for (int p = 0; p < 98; ++p) {
-    instance += std::to_string(p % 7) + "/7 " + std::to_string(p / 7 % 7) + "/7 " + std::to_string(p / 49) + "/4 ";
+    instance +=
+        std::to_string(p % 7) + "/7 " + std::to_string(p / 7 % 7) + "/7 " + std::to_string(p / 49) + "/4 ";
   }
   TriangulationText t;
-  const std::array<std::array<int, 3>, 6> orders = {{{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
+  const std::array<std::array<int, 3>, 6> orders = {
+      {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
   for (const int slant : {0, 2}) {
     for (int x = 0; x < m * m; ++x) {
       for (const auto& order : orders) {
@@ -229,8 +238,9 @@ TEST(Conditions, TwoSheets) {
   TriangulationText t = grid_triangulation(7, 7);
   for (int y = 0; y < 7; ++y) {
     for (int x = 0; x < 7; ++x) {
-      // The unimodular image of the grid under (2,1), (1,1): cells (0,0), (2,1), (3,2) and (0,0), (1,1), (3,2);
-      // its edges (2,1), (1,1), (3,2) share (1,1) with the first sheet, hence the other image (3,1), (2,1), (5,2).
+      // The unimodular image of the grid under (2,1), (1,1): cells (0,0), (2,1), (3,2) and (0,0), (1,1),
+      // (3,2); its edges (2,1), (1,1), (3,2) share (1,1) with the first sheet, hence the other image (3,1),
+      // (2,1), (5,2).
       const auto v = [&](int dx, int dy) { return grid_vertex(x + dx, y + dy, 7, 7); };
       t.cells.push_back({v(0, 0), v(3, 1), v(5, 2)});
       t.cells.push_back({v(0, 0), v(2, 1), v(5, 2)});
@@ -250,8 +260,9 @@ TEST(Conditions, TwoSheets) {
   EXPECT_EQ(v.outcome, Outcome::refuted);
 }
 
-// The connected double cover of DESIGN.md, section 6: cubes of Z^3 cut into five tetrahedra, in two mirror images
-// like a checkerboard, and the same with the colours exchanged; all of it claimed modulo (3Z)^3, which exchanges them.
+// The connected double cover of DESIGN.md, section 6: cubes of Z^3 cut into five tetrahedra, in two mirror
+// images like a checkerboard, and the same with the colours exchanged; all of it claimed modulo (3Z)^3, which
+// exchanges them.
 TriangulationText checkerboard() {
   TriangulationText t;
   t.subgroup = {shift({3, 0, 0}), shift({0, 3, 0}), shift({0, 0, 3})};
@@ -259,7 +270,8 @@ TriangulationText checkerboard() {
     for (const int colour : {0, 1}) {
       const std::vector<int> o = {c % 3, c / 3 % 3, c / 9};
       const auto corner = [&](int bits) {
-        return std::pair(std::size_t{0}, shift({o[0] + (bits & 1), o[1] + (bits >> 1 & 1), o[2] + (bits >> 2 & 1)}));
+        return std::pair(std::size_t{0},
+                         shift({o[0] + (bits & 1), o[1] + (bits >> 1 & 1), o[2] + (bits >> 2 & 1)}));
       };
       const int flip = colour == 0 ? 0 : 7;  // 0,3,5,6 and 7,4,2,1 are the two inscribed tetrahedra
       t.cells.push_back({corner(0 ^ flip), corner(3 ^ flip), corner(5 ^ flip), corner(6 ^ flip)});
@@ -293,18 +305,18 @@ TEST(Conditions, WrongDiagonals) {
 
 // A difference of 10^-300 decides; zero on the other side.
 TEST(Conditions, DelaunayIsExact) {
-  expect(judge(grid_instance(3, 3, "1 -1e-300 1"), grid_triangulation(3, 3).str()), "hhs h hhhhhh hhhh h hhhh",
-         Outcome::verified);
+  expect(judge(grid_instance(3, 3, "1 -1e-300 1"), grid_triangulation(3, 3).str()),
+         "hhs h hhhhhh hhhh h hhhh", Outcome::verified);
   const Verdict v = judge(grid_instance(3, 3, "1 1e-300 1"), grid_triangulation(3, 3).str());
   expect(v, "hhs h hhhhhf hhhh h hhhh", Outcome::refuted);
 }
 
 TEST(Conditions, WrongMetricIn3D) {
   const std::string head = "flatdt-instance 1 dimension 3 manifold P1 metric ";
-  expect(judge(head + "1 -1/9 -1/9 1 -1/9 1 points 1 0 0 0 ", kuhn_triangulation(3).str()), "hhh h hhhhhh hhhh h hhhh",
-         Outcome::verified);
-  expect(judge(head + "1 1/9 -1/9 1 -1/9 1 points 1 0 0 0 ", kuhn_triangulation(3).str()), "hhh h hhhhhf hhhh h hhhh",
-         Outcome::refuted);
+  expect(judge(head + "1 -1/9 -1/9 1 -1/9 1 points 1 0 0 0 ", kuhn_triangulation(3).str()),
+         "hhh h hhhhhh hhhh h hhhh", Outcome::verified);
+  expect(judge(head + "1 1/9 -1/9 1 -1/9 1 points 1 0 0 0 ", kuhn_triangulation(3).str()),
+         "hhh h hhhhhf hhhh h hhhh", Outcome::refuted);
 }
 
 // --- simplices.injective and skeleton.no-loop: one point of the torus.
@@ -325,7 +337,8 @@ TEST(Conditions, FourPointsOfTheTorus) {
 TEST(Conditions, NarrowTori) {
   const Verdict v = judge(grid_instance(1, 5), grid_triangulation(1, 5).str());
   expect(v, "hhs h hhhhhh ffff h hhhh", Outcome::refuted);
-  expect(judge(grid_instance(2, 5), grid_triangulation(2, 5).str()), "hhs h hhhhhh hhff h hhhh", Outcome::refuted);
+  expect(judge(grid_instance(2, 5), grid_triangulation(2, 5).str()), "hhs h hhhhhh hhff h hhhh",
+         Outcome::refuted);
 }
 
 // The Klein bottle itself: m x n grid with rows glued by the glide, diagonals mirrored in every other half.
@@ -341,7 +354,8 @@ TEST(Conditions, KleinBottleGrid) {
     const int mirror = q % 2 == 0 ? 1 : -1;
     const int i = mirror * x - m * floor_div(mirror * x, m);
     const int s = (x - mirror * i) / m;
-    const std::string glide = std::to_string(mirror) + " 0 " + std::to_string(s) + " 0 1 " + std::to_string(q) + "/2 ";
+    const std::string glide =
+        std::to_string(mirror) + " 0 " + std::to_string(s) + " 0 1 " + std::to_string(q) + "/2 ";
     return std::pair(static_cast<std::size_t>(i + m * (y - q * n)), glide);
   };
   TriangulationText t;

@@ -1,4 +1,5 @@
-// The two stages of the insphere test: the filter is certain or silent, on inputs built to sit on the boundary.
+// The two stages of the insphere test: the filter is certain or silent, on inputs built to sit on the
+// boundary.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +17,8 @@ namespace {
 struct Fixture {
   explicit Fixture(const std::string& instance_text)
       : instance(read_instance(instance_text)),
-        group(make_group(std::get<Crystal>(close_group(instance.dimension, instance.generators, &instance.metric)))),
+        group(make_group(
+            std::get<Crystal>(close_group(instance.dimension, instance.generators, &instance.metric)))),
         table(group),
         subgroup(std::get<Subgroup>(Subgroup::make(group, nullptr))),
         orbits(make_orbits(instance, table)),
@@ -27,7 +29,8 @@ struct Fixture {
     Triangulation t;
     t.dimension = instance.dimension;
     const auto n = static_cast<std::uint32_t>(instance.points.size());
-    for (std::uint32_t i = 0; i < n; ++i) t.cells.push_back({{{i, 0}, {(i + 1) % n, 0}, {(i + 2) % n, 0}, {(i + 3) % n, 0}}});
+    for (std::uint32_t i = 0; i < n; ++i)
+      t.cells.push_back({{{i, 0}, {(i + 1) % n, 0}, {(i + 2) % n, 0}, {(i + 3) % n, 0}}});
     return t;
   }
 
@@ -46,8 +49,10 @@ Sign slow_insphere(const Fixture& f, const Cell& cell, VertexId v, ElementId off
   const auto n = static_cast<std::size_t>(d);
   const Vec<Rational> q = f.geometry.point(v, offset);
   std::array<Vec<Rational>, 4> p;
-  for (std::size_t k = 0; k <= n; ++k) p[k] = subtract(f.geometry.point(cell.vertex[k], cell.offset[0][k]), q);
-  const Mat<Rational> gram = multiply(d, transpose(f.group.basis), multiply(d, f.instance.metric, f.group.basis));
+  for (std::size_t k = 0; k <= n; ++k)
+    p[k] = subtract(f.geometry.point(cell.vertex[k], cell.offset[0][k]), q);
+  const Mat<Rational> gram =
+      multiply(d, transpose(f.group.basis), multiply(d, f.instance.metric, f.group.basis));
   Rational value = 0;
   Rational orientation = 0;
   for (std::size_t k = 0; k <= n; ++k) {
@@ -110,8 +115,12 @@ TEST(Filter, AgreesOnNearlyCosphericalPoints) {
     std::string text = "flatdt-instance 1 dimension 3 manifold tetracosm points 8 ";
     for (int i = 0; i < 8; ++i) {
       for (int k = 0; k < 3; ++k) {
-        const Rational x = Rational((i >> k & 1) == 0 ? 1 : 3, 8) + (random() % 3 - Rational(1)) * read_instance(
-            std::string("flatdt-instance 1 dimension 2 manifold torus points 1 0 ") + epsilon + " ").points[0][1];
+        const Rational x =
+            Rational((i >> k & 1) == 0 ? 1 : 3, 8) +
+            (random() % 3 - Rational(1)) *
+                read_instance(std::string("flatdt-instance 1 dimension 2 manifold torus points 1 0 ") +
+                              epsilon + " ")
+                    .points[0][1];
         text += x.get_str() + " ";
       }
     }
@@ -130,8 +139,8 @@ TEST(Filter, SilentOnOverflowAndUnderflow) {
   Tally tally;
   std::mt19937 random(3);
   for (const char* scale : {"1e300", "1e-300", "1e1000", "1e-1000"}) {
-    Fixture f(std::string("flatdt-instance 1 dimension 3 manifold P1 metric ") + scale + " 0 0 " + scale + " 0 " + scale +
-              " points 5 1/7 1/5 1/3 1/2 1/9 2/3 1/11 6/7 1/4 1/13 1/6 8/9 3/4 2/7 1/19 ");
+    Fixture f(std::string("flatdt-instance 1 dimension 3 manifold P1 metric ") + scale + " 0 0 " + scale +
+              " 0 " + scale + " points 5 1/7 1/5 1/3 1/2 1/9 2/3 1/11 6/7 1/4 1/13 1/6 8/9 3/4 2/7 1/19 ");
     compare(f, tally, random, 100);
   }
   EXPECT_GT(tally.silent, 100);
@@ -149,16 +158,29 @@ TEST(Filter, BallsContainTheExactValue) {
       const Rational other = Rational(uniform(random)) / 7;
       const Ball b = to_ball(other);
       switch (random() % 4) {
-        case 0: exact += other; ball = ball + b; break;
-        case 1: exact -= other; ball = ball - b; break;
-        case 2: exact *= other; ball = ball * b; break;
-        default: exact *= exact; ball = ball * ball; break;
+        case 0:
+          exact += other;
+          ball = ball + b;
+          break;
+        case 1:
+          exact -= other;
+          ball = ball - b;
+          break;
+        case 2:
+          exact *= other;
+          ball = ball * b;
+          break;
+        default:
+          exact *= exact;
+          ball = ball * ball;
+          break;
       }
     }
     ASSERT_TRUE(std::isfinite(ball.rad));
     EXPECT_LE(abs(Rational(ball.mid) - exact), Rational(ball.rad));
   }
-  EXPECT_FALSE(certain_sign({std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()}));
+  EXPECT_FALSE(
+      certain_sign({std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()}));
   EXPECT_FALSE(certain_sign({std::nan(""), 0}));
   EXPECT_FALSE(certain_sign({1, std::nan("")}));
   EXPECT_FALSE(certain_sign({0, 0}));

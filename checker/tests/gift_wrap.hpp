@@ -1,5 +1,5 @@
-// Delaunay triangulations for tests, by gift wrapping the stars of all points in a finite cloud of lifts: slow, in
-// 128-bit integers, and nothing in common with the checker but the group's tables. Ties throw.
+// Delaunay triangulations for tests, by gift wrapping the stars of all points in a finite cloud of lifts:
+// slow, in 128-bit integers, and nothing in common with the checker but the group's tables. Ties throw.
 #pragma once
 
 #include <algorithm>
@@ -32,8 +32,10 @@ class GiftWrap {
  public:
   using Cell = std::vector<std::size_t>;  // indices into the cloud
 
-  /// `points` times 1/denominator, in [0,1)^d, in lattice coordinates; the metric of the instance times 2 is integral.
-  GiftWrap(const Group& group, const Mat<Rational>& metric, const std::vector<std::array<long, 3>>& points, long denominator)
+  /// `points` times 1/denominator, in [0,1)^d, in lattice coordinates; the metric of the instance times 2 is
+  /// integral.
+  GiftWrap(const Group& group, const Mat<Rational>& metric, const std::vector<std::array<long, 3>>& points,
+           long denominator)
       : group_(group), d_(static_cast<std::size_t>(group.dimension)) {
     for (std::size_t i = 0; i < d_; ++i) {
       for (std::size_t j = 0; j < d_; ++j) gram_[i][j] = Rational(2 * metric[i][j]).get_num().get_si();
@@ -51,7 +53,8 @@ class GiftWrap {
           moved.x[i] = t.get_num().get_si();
           for (std::size_t k = 0; k < d_; ++k) moved.x[i] += group.linear[r][i][k].get_si() * points[p][k];
         }
-        std::array<long, 3> home{};  // brings the image into [0,1)^d, so that the cloud surrounds it on all sides
+        std::array<long, 3>
+            home{};  // brings the image into [0,1)^d, so that the cloud surrounds it on all sides
         for (std::size_t i = 0; i < d_; ++i) {
           home[i] = -floor_div(static_cast<int>(moved.x[i]), static_cast<int>(denominator));
           moved.x[i] += home[i] * denominator;
@@ -98,7 +101,8 @@ class GiftWrap {
       std::vector<Key> keys;
       for (const std::size_t i : cell) {
         const Element e = group_.multiply(back, cloud_[i].element);
-        keys.emplace_back(cloud_[i].point, e.rotation, e.shift[0].get_si(), e.shift[1].get_si(), e.shift[2].get_si());
+        keys.emplace_back(cloud_[i].point, e.rotation, e.shift[0].get_si(), e.shift[1].get_si(),
+                          e.shift[2].get_si());
       }
       std::sort(keys.begin(), keys.end());
       if (best.empty() || keys < best) best = keys;

@@ -1,5 +1,5 @@
-// All manifolds, on random points: the gift-wrapped triangulation is accepted, in the manifold itself or in a covering
-// by a sublattice or by a subgroup that need not be normal; every edit of it is refuted.
+// All manifolds, on random points: the gift-wrapped triangulation is accepted, in the manifold itself or in a
+// covering by a sublattice or by a subgroup that need not be normal; every edit of it is refuted.
 #include "gift_wrap.hpp"
 
 #include <gtest/gtest.h>
@@ -50,8 +50,8 @@ Sample make_sample(const Named& m, std::size_t n, std::mt19937& random) {
   const int d = m.dimension;
   for (int tries = 0; tries < 50; ++tries) {
     std::vector<std::array<long, 3>> points(n);
-    std::string text = "flatdt-instance 1 dimension " + std::to_string(d) + " manifold " + m.name + m.metric + " points " +
-                       std::to_string(n) + " ";
+    std::string text = "flatdt-instance 1 dimension " + std::to_string(d) + " manifold " + m.name + m.metric +
+                       " points " + std::to_string(n) + " ";
     for (auto& p : points) {
       for (std::size_t i = 0; i < static_cast<std::size_t>(d); ++i) {
         p[i] = static_cast<long>(random() % kDenominator);
@@ -111,7 +111,8 @@ TriangulationText covering(const Sample& sample, const std::vector<Element>& gen
       if (!generators.empty()) mover = group.multiply(generators[number++ % generators.size()], coset);
       auto& out = t.cells.emplace_back();
       for (const auto& [point, element] : cell) {
-        out.emplace_back(point, seitz_text(group.dimension, group.outer_seitz(group.multiply(mover, element))));
+        out.emplace_back(point,
+                         seitz_text(group.dimension, group.outer_seitz(group.multiply(mover, element))));
       }
     }
   }
@@ -137,7 +138,8 @@ TEST(GiftWrap, AllManifolds) {
   int verified = 0;
   int refuted = 0;
   for (const Named& m : kAll) {
-    for (const std::size_t n : m.dimension == 2 ? std::vector<std::size_t>{1, 2, 4, 12, 20} : std::vector<std::size_t>{1, 2}) {
+    for (const std::size_t n :
+         m.dimension == 2 ? std::vector<std::size_t>{1, 2, 4, 12, 20} : std::vector<std::size_t>{1, 2}) {
       const Sample sample = make_sample(m, n, random);
       const std::string what = std::string(m.name) + " " + std::to_string(n) + " ";
       const Verdict base = judge(sample.instance, covering(sample, {}).str());
@@ -160,7 +162,8 @@ TEST(GiftWrap, SubgroupsWithRotationsAndReflections) {
     for (std::size_t r = 1; r < sample.group.order(); ++r) {
       std::vector<Element> generators = sublattice(m.dimension, 3);
       Element g{static_cast<std::uint8_t>(r), {}};
-      for (std::size_t i = 0; i < static_cast<std::size_t>(m.dimension); ++i) g.shift[i] = static_cast<long>(random() % 5);
+      for (std::size_t i = 0; i < static_cast<std::size_t>(m.dimension); ++i)
+        g.shift[i] = static_cast<long>(random() % 5);
       generators.push_back(g);
       expect_tiling(judge(sample.instance, covering(sample, generators).str()), m.name);
     }
@@ -175,7 +178,8 @@ TEST(GiftWrap, ManyPointsOnTheManifoldItself) {
   }
 }
 
-// The points are generic, so there is one Delaunay triangulation: whatever an edit makes of it must not be verified.
+// The points are generic, so there is one Delaunay triangulation: whatever an edit makes of it must not be
+// verified.
 TEST(GiftWrap, EveryEditIsRefuted) {
   std::mt19937 random(31);
   std::map<int, int> refuted;
@@ -192,7 +196,8 @@ TEST(GiftWrap, EveryEditIsRefuted) {
       if (edit == 2) t.cells.erase(t.cells.begin() + static_cast<std::ptrdiff_t>(random() % t.cells.size()));
       if (edit == 3) vertex.first = 1 - vertex.first;
       if (edit == 4) vertex.second = t.cells[random() % t.cells.size()][0].second;
-      if (edit == 5) t.subgroup[0] = seitz_text(m.dimension, sample.group.outer_seitz(sublattice(m.dimension, 6)[0]));
+      if (edit == 5)
+        t.subgroup[0] = seitz_text(m.dimension, sample.group.outer_seitz(sublattice(m.dimension, 6)[0]));
       if (t.str() == good.str()) continue;
       const Verdict v = judge(sample.instance, t.str());
       EXPECT_EQ(v.outcome, Outcome::refuted) << m.name << " edit " << edit << ' ' << statuses(v) << v.reason;

@@ -1,4 +1,5 @@
-// The analysis of the instance's group: the twelve manifolds in any description, and groups that must be refused.
+// The analysis of the instance's group: the twelve manifolds in any description, and groups that must be
+// refused.
 #include "group.hpp"
 
 #include <gtest/gtest.h>
@@ -21,21 +22,30 @@ struct Known {
   const char* holonomy;
   const char* homology;
 };
-const Known kKnown[] = {
-    {"torus", 2, "1", "Z^2"}, {"klein-bottle", 2, "Z2", "Z+Z/2"}, {"torocosm", 3, "1", "Z^3"},
-    {"dicosm", 3, "Z2", "Z+Z/2+Z/2"}, {"tricosm", 3, "Z3", "Z+Z/3"}, {"P32", 3, "Z3", "Z+Z/3"},
-    {"tetracosm", 3, "Z4", "Z+Z/2"}, {"P43", 3, "Z4", "Z+Z/2"}, {"hexacosm", 3, "Z6", "Z"}, {"P65", 3, "Z6", "Z"},
-    {"didicosm", 3, "Z2xZ2", "Z/4+Z/4"}, {"first-amphicosm", 3, "Z2", "Z^2+Z/2"},
-    {"second-amphicosm", 3, "Z2", "Z^2"}, {"first-amphidicosm", 3, "Z2xZ2", "Z+Z/2+Z/2"},
-    {"second-amphidicosm", 3, "Z2xZ2", "Z+Z/4"}};
+const Known kKnown[] = {{"torus", 2, "1", "Z^2"},
+                        {"klein-bottle", 2, "Z2", "Z+Z/2"},
+                        {"torocosm", 3, "1", "Z^3"},
+                        {"dicosm", 3, "Z2", "Z+Z/2+Z/2"},
+                        {"tricosm", 3, "Z3", "Z+Z/3"},
+                        {"P32", 3, "Z3", "Z+Z/3"},
+                        {"tetracosm", 3, "Z4", "Z+Z/2"},
+                        {"P43", 3, "Z4", "Z+Z/2"},
+                        {"hexacosm", 3, "Z6", "Z"},
+                        {"P65", 3, "Z6", "Z"},
+                        {"didicosm", 3, "Z2xZ2", "Z/4+Z/4"},
+                        {"first-amphicosm", 3, "Z2", "Z^2+Z/2"},
+                        {"second-amphicosm", 3, "Z2", "Z^2"},
+                        {"first-amphidicosm", 3, "Z2xZ2", "Z+Z/2+Z/2"},
+                        {"second-amphidicosm", 3, "Z2xZ2", "Z+Z/4"}};
 
 Group group_of(const Instance& instance) {
-  return make_group(std::get<Crystal>(close_group(instance.dimension, instance.generators, &instance.metric)));
+  return make_group(
+      std::get<Crystal>(close_group(instance.dimension, instance.generators, &instance.metric)));
 }
 
 std::string instance_text(const Known& known) {
-  return "flatdt-instance 1 dimension " + std::to_string(known.dimension) + " manifold " + known.name + " points 1 0 0 " +
-         (known.dimension == 3 ? "0 " : "");
+  return "flatdt-instance 1 dimension " + std::to_string(known.dimension) + " manifold " + known.name +
+         " points 1 0 0 " + (known.dimension == 3 ? "0 " : "");
 }
 
 /// Verdict on the instance with an empty triangulation: only the group conditions matter.
@@ -43,9 +53,13 @@ Verdict judge_group(const Instance& instance) {
   return check(instance, read_triangulation("flatdt-triangulation 1 elements 0 cells 0 ", instance));
 }
 
-Verdict judge_group(const std::string& text) { return judge_group(read_instance(text)); }
+Verdict judge_group(const std::string& text) {
+  return judge_group(read_instance(text));
+}
 
-Integer draw(std::mt19937& random, long most) { return static_cast<long>(random() % (2 * most + 1)) - most; }
+Integer draw(std::mt19937& random, long most) {
+  return static_cast<long>(random() % (2 * most + 1)) - most;
+}
 
 TEST(Group, TheTwelveManifolds) {
   for (const Known& known : kKnown) {
@@ -53,7 +67,8 @@ TEST(Group, TheTwelveManifolds) {
     const Group group = group_of(instance);
     EXPECT_EQ(holonomy_name(group), known.holonomy) << known.name;
     EXPECT_EQ(to_string(first_homology(group)), known.homology) << known.name;
-    EXPECT_EQ(abs(determinant(known.dimension, group.basis)), 1) << known.name;  // the catalogue's lattice is Z^d
+    EXPECT_EQ(abs(determinant(known.dimension, group.basis)), 1)
+        << known.name;  // the catalogue's lattice is Z^d
     EXPECT_FALSE(find_torsion(group).has_value()) << known.name;
     EXPECT_EQ(judge_group(instance)[group_name].status, Status::holds) << known.name;
   }
@@ -87,8 +102,8 @@ TEST(Group, AnyAffineBasisOriginAndGenerators) {
       instance.metric = multiply(d, transpose(a), multiply(d, instance.metric, a));
       for (int k = 0; k < 5; ++k) {
         const std::size_t n = instance.generators.size();
-        instance.generators.insert(instance.generators.begin(),
-                                   compose(d, instance.generators[random() % n], instance.generators[random() % n]));
+        instance.generators.insert(instance.generators.begin(), compose(d, instance.generators[random() % n],
+                                                                        instance.generators[random() % n]));
       }
       const Verdict verdict = judge_group(instance);
       EXPECT_EQ(verdict[group_name].status, Status::holds) << known.name << ": " << verdict.reason;
@@ -106,7 +121,8 @@ TEST(Group, EveryOtherNameIsRefused) {
       instance.claim = std::string(find_manifold(claim.name)->name);
       const Verdict verdict = judge_group(instance);
       const bool same = truth == *instance.claim;
-      EXPECT_EQ(verdict[group_name].status, same ? Status::holds : Status::fails) << truth << " as " << claim.name;
+      EXPECT_EQ(verdict[group_name].status, same ? Status::holds : Status::fails)
+          << truth << " as " << claim.name;
       if (same) continue;
       EXPECT_EQ(verdict.outcome, Outcome::malformed);
       EXPECT_EQ(statuses(verdict), "hhf s ssssss ssss s ssss");
@@ -115,7 +131,8 @@ TEST(Group, EveryOtherNameIsRefused) {
   }
 }
 
-TEST(Group, CentredLatticeIsFound) {  // cm-like centring of the torus: the primitive lattice has index 2 over Z^2
+TEST(Group,
+     CentredLatticeIsFound) {  // cm-like centring of the torus: the primitive lattice has index 2 over Z^2
   const Instance instance = read_instance(
       "flatdt-instance 1 dimension 2 generators 3 1 0 1 0 1 0 1 0 0 0 1 1 1 0 1/2 0 1 1/2 points 1 0 0 ");
   EXPECT_EQ(abs(determinant(2, group_of(instance).basis)), Rational(1, 2));
@@ -191,7 +208,8 @@ TEST(Group, NotCrystallographic) {
   }
   // A rotation of infinite order, alone and as a product of two reflections of order 2.
   EXPECT_EQ(reason(judge_group(head + "1 3/5 -4/5 0 4/5 3/5 0 points 1 0 0 ")), "infinite-order");
-  EXPECT_EQ(reason(judge_group(head + "2 1 0 0 0 -1 0 3/5 4/5 0 4/5 -3/5 0 points 1 0 0 ")), "infinite-order");
+  EXPECT_EQ(reason(judge_group(head + "2 1 0 0 0 -1 0 3/5 4/5 0 4/5 -3/5 0 points 1 0 0 ")),
+            "infinite-order");
   // Rank too small.
   EXPECT_EQ(reason(judge_group(head + "1 1 0 1 0 1 0 points 1 0 0 ")), "not-cocompact");
   EXPECT_EQ(reason(judge_group(head + "2 1 0 1 0 1 0 1 0 1/3 0 1 0 points 1 0 0 ")), "not-cocompact");
@@ -199,22 +217,26 @@ TEST(Group, NotCrystallographic) {
   EXPECT_EQ(reason(judge_group(head + "1 1 0 0 0 1 0 points 1 0 0 ")), "not-cocompact");
 }
 
-// Rational reflections whose products of few factors all have integral traces do not exist in bulk; the cap itself is
-// reached by a finite group that is none of a lattice: the 24 linear parts below are fine, 49 never occur.
+// Rational reflections whose products of few factors all have integral traces do not exist in bulk; the cap
+// itself is reached by a finite group that is none of a lattice: the 24 linear parts below are fine, 49 never
+// occur.
 TEST(Group, FullHolohedriesAreFinite) {
   const std::string cube = "1 0 0 1 0 1 0 0 0 0 1 0 1 0 0 0 0 1 0 1 0 0 1 0 1 0 0 0 0 1 0 0 0 0 1 1 ";
-  const Instance cubic = read_instance("flatdt-instance 1 dimension 3 generators 6 " + cube +
-                                       "0 0 1 0 1 0 0 0 0 1 0 0 0 -1 0 0 1 0 0 0 0 0 1 0 -1 0 0 0 0 -1 0 0 0 0 -1 0 "
-                                       "points 1 0 0 0 ");
+  const Instance cubic =
+      read_instance("flatdt-instance 1 dimension 3 generators 6 " + cube +
+                    "0 0 1 0 1 0 0 0 0 1 0 0 0 -1 0 0 1 0 0 0 0 0 1 0 -1 0 0 0 0 -1 0 0 0 0 -1 0 "
+                    "points 1 0 0 0 ");
   EXPECT_EQ(group_of(cubic).order(), 48U);
   const Instance hexagonal = read_instance(
-      "flatdt-instance 1 dimension 2 generators 4 1 0 1 0 1 0 1 0 0 0 1 1 1 -1 0 1 0 0 0 1 0 1 0 0 metric 1 -1/2 1 "
+      "flatdt-instance 1 dimension 2 generators 4 1 0 1 0 1 0 1 0 0 0 1 1 1 -1 0 1 0 0 0 1 0 1 0 0 metric 1 "
+      "-1/2 1 "
       "points 1 0 0 ");
   EXPECT_EQ(group_of(hexagonal).order(), 12U);
 }
 
 TEST(Group, WrongMetricForACatalogueName) {
-  const Verdict v = judge_group("flatdt-instance 1 dimension 3 manifold tetracosm metric 1 0 0 2 0 1 points 1 0 0 0 ");
+  const Verdict v =
+      judge_group("flatdt-instance 1 dimension 3 manifold tetracosm metric 1 0 0 2 0 1 points 1 0 0 0 ");
   EXPECT_EQ(witness(v, group_crystallographic, "reason"), "metric-not-invariant");
   EXPECT_EQ(v.reason.substr(0, 11), "instance:1:");
 }

@@ -9,7 +9,9 @@
 namespace flatdt::checker::test {
 namespace {
 
-std::string decimal(const Integer& x) { return x.get_str(); }
+std::string decimal(const Integer& x) {
+  return x.get_str();
+}
 
 TEST(Hostile, ManyGeneratorsWithUnrelatedDenominators) {
   std::string text = "flatdt-instance 1 dimension 2 generators 10000 ";
@@ -41,8 +43,8 @@ TEST(Hostile, HugeRotations) {  // rational rotations of infinite order with tho
   const Integer m = b * b + 1;
   const std::string fit_c = decimal(b * b - 1) + "/" + decimal(m);
   const std::string fit_s = decimal(2 * b) + "/" + decimal(m);
-  const Verdict v = judge("flatdt-instance 1 dimension 2 generators 1 " + fit_c + " -" + fit_s + " 0 " + fit_s + " " +
-                              fit_c + " 0 points 1 0 0 ",
+  const Verdict v = judge("flatdt-instance 1 dimension 2 generators 1 " + fit_c + " -" + fit_s + " 0 " +
+                              fit_s + " " + fit_c + " 0 points 1 0 0 ",
                           "flatdt-triangulation 1 elements 0 cells 0 ");
   EXPECT_EQ(witness(v, ConditionName::group_crystallographic, "reason"), "infinite-order");
 }
@@ -51,8 +53,8 @@ TEST(Hostile, HugeSkewBasis) {  // Z^2 described with a shear by 10^1000: exact,
   const std::string big = "1" + std::string(1000, '0');
   const std::string square = "1" + std::string(2000, '0');
   // basis (1,0), (10^1000,1): coordinates (x,y) stand for x + 10^1000 y, y; metric [1, b; b, b^2+1]
-  std::string text = "flatdt-instance 1 dimension 2 generators 2 1 0 1 0 1 0  1 0 -" + big + " 0 1 1 metric 1 " + big +
-                     " " + square.substr(0, square.size() - 1) + "1 points 9 ";
+  std::string text = "flatdt-instance 1 dimension 2 generators 2 1 0 1 0 1 0  1 0 -" + big +
+                     " 0 1 1 metric 1 " + big + " " + square.substr(0, square.size() - 1) + "1 points 9 ";
   for (int y = 0; y < 3; ++y) {
     for (int x = 0; x < 3; ++x) {
       const Rational px = Rational(x, 3) - Rational(y, 3) * Rational(Integer(big));
@@ -98,7 +100,8 @@ TEST(Hostile, RandomBytesAndEditsAreJudgedOrRefused) {
     std::string b = triangulation;
     for (int k = 0; k < 2; ++k) {
       std::string& s = random() % 2 == 0 ? a : b;
-      s[random() % s.size()] = random() % 4 == 0 ? static_cast<char>(random() % 256) : alphabet[random() % alphabet.size()];
+      s[random() % s.size()] =
+          random() % 4 == 0 ? static_cast<char>(random() % 256) : alphabet[random() % alphabet.size()];
     }
     try {
       refuted += judge(a, b).outcome == Outcome::refuted ? 1 : 0;

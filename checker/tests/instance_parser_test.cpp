@@ -22,7 +22,8 @@ void expect_malformed(const std::string& text, const std::string& part_of_reason
 
 TEST(InstanceParser, ReadsTheExampleOfTheFormat) {
   const Instance instance = read_instance(
-      "flatdt-instance 1\ndimension 2\nmanifold klein-bottle # a name\ngenerators 2\n 1 0 1    0 1 0 # a translation\n"
+      "flatdt-instance 1\ndimension 2\nmanifold klein-bottle # a name\ngenerators 2\n 1 0 1    0 1 0 # a "
+      "translation\n"
       "-1 0 0 0 1 1/2\nmetric 1 0 1\npoints 2\n1/10 1/5\n0.75 0x1.8p-2\n");
   EXPECT_EQ(instance.dimension, 2);
   EXPECT_EQ(instance.claim, "klein-bottle");
@@ -36,11 +37,14 @@ TEST(InstanceParser, ReadsTheExampleOfTheFormat) {
 
 TEST(InstanceParser, WhiteSpaceAndComments) {
   EXPECT_EQ(read_instance(kTorus + "points 1 0\t0\v\f\r\n").points.size(), 1U);
-  EXPECT_EQ(read_instance(kTorus + "points#c\n1 0 0#the end").points.size(), 1U);      // a comment ends a token
+  EXPECT_EQ(read_instance(kTorus + "points#c\n1 0 0#the end").points.size(), 1U);  // a comment ends a token
   EXPECT_EQ(read_instance(kTorus + "points 1 0 0 # \x01\x80\xff\t last").points.size(), 1U);
   EXPECT_EQ(read_instance("# first\n#\n" + kTorus + "points 1 0 0\n").points.size(), 1U);
   expect_malformed(kTorus + "points 1 0 0", "ends directly after");
-  expect_malformed(kTorus + "points 1 0 \xc2\xa0" "0\n", "0xC2");
+  expect_malformed(kTorus +
+                       "points 1 0 \xc2\xa0"
+                       "0\n",
+                   "0xC2");
   expect_malformed("\xef\xbb\xbf" + kTorus + "points 1 0 0\n", "0xEF");
   expect_malformed(kTorus + "points 1 0 " + std::string(1, '\0') + " 0\n", "0x00");
   expect_malformed(kTorus + "points 1 0 \x7f 0\n", "0x7F");
@@ -92,7 +96,8 @@ TEST(InstanceParser, Counts) {
   expect_malformed(kTorus + "points +1 0 0 ", "[0-9]+");
   expect_malformed(kTorus + "points 0x1 0 0 ", "[0-9]+");
   EXPECT_EQ(read_instance(kTorus + "points 0001 0 0 ").points.size(), 1U);
-  expect_malformed(kTorus + "points 100000000 0 0 ", "found the end of the file");  // a count reserves nothing
+  expect_malformed(kTorus + "points 100000000 0 0 ",
+                   "found the end of the file");  // a count reserves nothing
 }
 
 TEST(InstanceParser, TokenLengthLimit) {
@@ -111,17 +116,50 @@ TEST(InstanceParser, NumbersCarryTheirReason) {
 
 TEST(InstanceParser, ManifoldNames) {
   const char* plane[] = {"torus", "p1", "klein-bottle", "pg"};
-  const char* space[] = {"torocosm", "G1", "P1", "3-torus", "dicosm", "G2", "P21", "tricosm", "G3", "P31", "P32",
-                         "tetracosm", "G4", "P41", "P43", "hexacosm", "G5", "P61", "P65", "didicosm", "G6", "P212121",
-                         "hantzsche-wendt", "first-amphicosm", "B1", "Pc", "second-amphicosm", "B2", "Cc",
-                         "first-amphidicosm", "B3", "Pca21", "second-amphidicosm", "B4", "Pna21"};
+  const char* space[] = {"torocosm",
+                         "G1",
+                         "P1",
+                         "3-torus",
+                         "dicosm",
+                         "G2",
+                         "P21",
+                         "tricosm",
+                         "G3",
+                         "P31",
+                         "P32",
+                         "tetracosm",
+                         "G4",
+                         "P41",
+                         "P43",
+                         "hexacosm",
+                         "G5",
+                         "P61",
+                         "P65",
+                         "didicosm",
+                         "G6",
+                         "P212121",
+                         "hantzsche-wendt",
+                         "first-amphicosm",
+                         "B1",
+                         "Pc",
+                         "second-amphicosm",
+                         "B2",
+                         "Cc",
+                         "first-amphidicosm",
+                         "B3",
+                         "Pca21",
+                         "second-amphidicosm",
+                         "B4",
+                         "Pna21"};
   for (const char* name : plane) {
     EXPECT_NO_THROW((void)read_instance(kHead + "manifold " + name + " points 1 0 0 ")) << name;
-    expect_malformed("flatdt-instance 1 dimension 3 manifold " + std::string(name) + " points 1 0 0 0 ", "dimension");
+    expect_malformed("flatdt-instance 1 dimension 3 manifold " + std::string(name) + " points 1 0 0 0 ",
+                     "dimension");
   }
   for (const char* name : space) {
     EXPECT_NO_THROW((void)read_instance("flatdt-instance 1 dimension 3 manifold " + std::string(name) +
-                                        " points 1 0 0 0 ")) << name;
+                                        " points 1 0 0 0 "))
+        << name;
     expect_malformed(kHead + "manifold " + name + " points 1 0 0 ", "dimension");
   }
   for (const char* name : {"Torus", "p", "G", "G7", "TORUS", "p1,pg", "points"}) {
@@ -132,7 +170,8 @@ TEST(InstanceParser, ManifoldNames) {
 
 TEST(InstanceParser, AliasesOfMirrorImagesGiveMirrorImageGenerators) {
   const std::string head = "flatdt-instance 1 dimension 3 manifold ";
-  for (const auto& [left, right] : {std::pair("P31", "P32"), std::pair("P41", "P43"), std::pair("P61", "P65")}) {
+  for (const auto& [left, right] :
+       {std::pair("P31", "P32"), std::pair("P41", "P43"), std::pair("P61", "P65")}) {
     const Instance a = read_instance(head + left + " points 1 0 0 0 ");
     const Instance b = read_instance(head + right + " points 1 0 0 0 ");
     EXPECT_NE(a.generators[1].linear, b.generators[1].linear);
@@ -145,7 +184,8 @@ TEST(InstanceParser, Metric) {
   const Instance hexagonal = read_instance("flatdt-instance 1 dimension 3 manifold P61 points 1 0 0 0 ");
   EXPECT_EQ(hexagonal.metric[0][1], Rational(-1, 2));
   EXPECT_EQ(hexagonal.metric[1][0], Rational(-1, 2));
-  const Instance given = read_instance("flatdt-instance 1 dimension 3 manifold P1 metric 1 2 3 10 5 100 points 1 0 0 0 ");
+  const Instance given =
+      read_instance("flatdt-instance 1 dimension 3 manifold P1 metric 1 2 3 10 5 100 points 1 0 0 0 ");
   EXPECT_EQ(given.metric[2][1], 5);
   EXPECT_EQ(given.metric[2][2], 100);
   expect_malformed(kTorus + "metric 0 0 1 points 1 0 0 ", "not positive definite");

@@ -12,7 +12,9 @@
 namespace flatdt::checker {
 namespace {
 
-Vec<Rational> vec(const Rational& x, const Rational& y, const Rational& z = 0) { return {x, y, z}; }
+Vec<Rational> vec(const Rational& x, const Rational& y, const Rational& z = 0) {
+  return {x, y, z};
+}
 
 TEST(Lattice, GrowsInRankAndIndex) {
   Lattice lattice(3);
@@ -31,8 +33,8 @@ TEST(Lattice, GrowsInRankAndIndex) {
   EXPECT_EQ(abs(determinant(3, lattice.basis())), Rational(1, 6));
 }
 
-// A lattice equals the one of any other generating set, whatever the order; the determinant is checked against a
-// unimodular recombination of a known basis.
+// A lattice equals the one of any other generating set, whatever the order; the determinant is checked
+// against a unimodular recombination of a known basis.
 TEST(Lattice, IndependentOfTheGenerators) {
   std::mt19937 random(1);
   for (int round = 0; round < 50; ++round) {
@@ -95,7 +97,8 @@ TEST(Smith, KnownGroups) {
   EXPECT_EQ(to_string(abelian_group(3, {{2, -2, 0}, {2, -2, 0}})), "Z^2+Z/2");
 }
 
-// Row transformation: (first columns of the result) = U (original) up to column operations, with U unimodular.
+// Row transformation: (first columns of the result) = U (original) up to column operations, with U
+// unimodular.
 TEST(Smith, AppendedIdentityBecomesTheRowTransformation) {
   Rows rows = {{2, 4, 1, 0}, {3, 7, 0, 1}};
   const std::vector<Integer> diagonal = diagonalise(rows, 2);

@@ -16,16 +16,16 @@ namespace {
 using enum ConditionName;
 
 Group named_group(const std::string& name, int d) {
-  const Instance instance = read_instance("flatdt-instance 1 dimension " + std::to_string(d) + " manifold " + name +
-                                          " points 1 0 0 " + (d == 3 ? "0 " : ""));
+  const Instance instance = read_instance("flatdt-instance 1 dimension " + std::to_string(d) + " manifold " +
+                                          name + " points 1 0 0 " + (d == 3 ? "0 " : ""));
   return make_group(std::get<Crystal>(close_group(d, instance.generators, &instance.metric)));
 }
 
 std::vector<Seitz> elements(const std::string& text, int count, int d) {
-  return *read_triangulation("flatdt-triangulation 1 subgroup " + std::to_string(count) + " " + text +
-                                 "elements 0 cells 0 ",
-                             read_instance(d == 2 ? "flatdt-instance 1 dimension 2 manifold torus points 1 0 0 "
-                                                  : "flatdt-instance 1 dimension 3 manifold P1 points 1 0 0 0 "))
+  return *read_triangulation(
+              "flatdt-triangulation 1 subgroup " + std::to_string(count) + " " + text + "elements 0 cells 0 ",
+              read_instance(d == 2 ? "flatdt-instance 1 dimension 2 manifold torus points 1 0 0 "
+                                   : "flatdt-instance 1 dimension 3 manifold P1 points 1 0 0 0 "))
               .subgroup;
 }
 
@@ -47,14 +47,14 @@ const Case kCases[] = {
     {"didicosm", 3, 3, "1 0 0 1 0 1 0 0 0 0 1 0 1 0 0 0 0 1 0 1 0 0 1 0 1 0 0 0 0 1 0 0 0 0 1 1 ", 4, "Z^3"},
     // The dicosm inside the didicosm, index 2.
     {"didicosm", 3, 4,
-     "1 0 0 1 0 1 0 0 0 0 1 0 1 0 0 0 0 1 0 1 0 0 1 0 1 0 0 0 0 1 0 0 0 0 1 1 -1 0 0 1/2 0 -1 0 0 0 0 1 1/2 ", 2,
-     "Z+Z/2+Z/2"},
+     "1 0 0 1 0 1 0 0 0 0 1 0 1 0 0 0 0 1 0 1 0 0 1 0 1 0 0 0 0 1 0 0 0 0 1 1 -1 0 0 1/2 0 -1 0 0 0 0 1 1/2 ",
+     2, "Z+Z/2+Z/2"},
     // Index 5 in the tetracosm: the screw and a sublattice of index 5 that it keeps.
     {"tetracosm", 3, 2, "0 -1 0 0 1 0 0 0 0 0 1 1/4 1 0 0 2 0 1 0 1 0 0 1 0 ", 5, "Z+Z/2"},
     // Index 9, not normal: the screw with 3 Z^2.
     {"tetracosm", 3, 2, "0 -1 0 0 1 0 0 0 0 0 1 1/4 1 0 0 3 0 1 0 0 0 0 1 0 ", 9, "Z+Z/2"},
-    {"first-amphidicosm", 3, 3, "1 0 0 1/2 0 -1 0 0 0 0 1 0 1 0 0 0 0 1 0 1 0 0 1 0 1 0 0 0 0 1 0 0 0 0 1 1 ", 2,
-     "Z^2+Z/2"},
+    {"first-amphidicosm", 3, 3, "1 0 0 1/2 0 -1 0 0 0 0 1 0 1 0 0 0 0 1 0 1 0 0 1 0 1 0 0 0 0 1 0 0 0 0 1 1 ",
+     2, "Z^2+Z/2"},
 };
 
 TEST(Subgroup, IndexVolumeAndHomology) {
@@ -70,7 +70,8 @@ TEST(Subgroup, IndexVolumeAndHomology) {
   }
 }
 
-// The number of right cosets met by random elements is the index; Hg = Hg' iff g' g^-1 is in H, by Seitz matrices.
+// The number of right cosets met by random elements is the index; Hg = Hg' iff g' g^-1 is in H, by Seitz
+// matrices.
 TEST(Subgroup, CosetsAreTheIndexAndCanonical) {
   std::mt19937 random(5);
   for (const Case& c : kCases) {
@@ -109,9 +110,9 @@ TEST(Subgroup, CosetsAreTheIndexAndCanonical) {
 
 TEST(Subgroup, IndexIsABigInteger) {
   const std::string big = "1" + std::string(30, '0');
-  const Verdict v = judge("flatdt-instance 1 dimension 2 manifold torus points 1 0 0 ",
-                          "flatdt-triangulation 1 subgroup 2 1 0 " + big + " 0 1 0 1 0 0 0 1 " + big +
-                              " elements 0 cells 0 ");
+  const Verdict v = judge(
+      "flatdt-instance 1 dimension 2 manifold torus points 1 0 0 ",
+      "flatdt-triangulation 1 subgroup 2 1 0 " + big + " 0 1 0 1 0 0 0 1 " + big + " elements 0 cells 0 ");
   EXPECT_EQ(witness(v, subgroup_member, "index"), "1" + std::string(60, '0'));
   EXPECT_EQ(v[vertices_complete].status, Status::fails);
 }
@@ -124,7 +125,8 @@ TEST(Subgroup, MembershipOfGeneratorsAndElements) {
     const char* reason;
   } cases[] = {
       {"subgroup 1 1 0 1/2 0 1 0 elements 0 cells 0 ", "subgroup-generator-not-in-group"},
-      {"subgroup 3 1 0 1 0 1 0 1 0 0 0 1 1 1 0 0 0 -1 0 elements 0 cells 0 ", "subgroup-generator-not-in-group"},
+      {"subgroup 3 1 0 1 0 1 0 1 0 0 0 1 1 1 0 0 0 -1 0 elements 0 cells 0 ",
+       "subgroup-generator-not-in-group"},
       {"subgroup 0 elements 0 cells 0 ", "infinite-index"},
       {"subgroup 1 -1 0 0 0 1 1/2 elements 0 cells 0 ", "infinite-index"},
       {"subgroup 2 1 0 1 0 1 0 1 0 3 0 1 0 elements 0 cells 0 ", "infinite-index"},
@@ -143,12 +145,14 @@ TEST(Subgroup, MembershipOfGeneratorsAndElements) {
 
 TEST(Orbits, PointsOfOneOrbitAreOnePoint) {
   const Instance instance = read_instance(
-      "flatdt-instance 1 dimension 2 manifold klein-bottle points 6 1/3 1/5 2/3 7/10 1/3 1/7 7/3 -9/5 -1/3 -3/10 1/3 6/7 ");
+      "flatdt-instance 1 dimension 2 manifold klein-bottle points 6 1/3 1/5 2/3 7/10 1/3 1/7 7/3 -9/5 -1/3 "
+      "-3/10 1/3 6/7 ");
   const Group group = named_group("klein-bottle", 2);
   ElementTable table(group);
   const Orbits orbits = make_orbits(instance, table);
   EXPECT_EQ(orbits.count(), 3U);
-  EXPECT_EQ(orbits.of_point, (std::vector{OrbitId{0}, OrbitId{0}, OrbitId{1}, OrbitId{0}, OrbitId{0}, OrbitId{2}}));
+  EXPECT_EQ(orbits.of_point,
+            (std::vector{OrbitId{0}, OrbitId{0}, OrbitId{1}, OrbitId{0}, OrbitId{0}, OrbitId{2}}));
   EXPECT_EQ(orbits.first_point[2], PointId{5});
   for (std::size_t i = 0; i < 6; ++i) {  // point = frame * canonical
     const LatticePoint& c = orbits.canonical[index(orbits.of_point[i])];

@@ -12,7 +12,9 @@ const std::string kInstance = "flatdt-instance 1 dimension 2 manifold torus poin
 const std::string kHead = "flatdt-triangulation 1 ";
 const std::string kElement = "1 0 0 0 1 0 ";
 
-Triangulation read(const std::string& text) { return read_triangulation(text, read_instance(kInstance)); }
+Triangulation read(const std::string& text) {
+  return read_triangulation(text, read_instance(kInstance));
+}
 
 void expect_malformed(const std::string& text, const std::string& part_of_reason) {
   try {
@@ -24,8 +26,8 @@ void expect_malformed(const std::string& text, const std::string& part_of_reason
 }
 
 TEST(TriangulationParser, ReadsAllSections) {
-  const Triangulation t =
-      read(kHead + "subgroup 1 1 0 3 0 1 0\nelements 2 " + kElement + "1 0 0.5 0 1 -1/3\ncells 1\n0 0 1 1 0 1\n");
+  const Triangulation t = read(kHead + "subgroup 1 1 0 3 0 1 0\nelements 2 " + kElement +
+                               "1 0 0.5 0 1 -1/3\ncells 1\n0 0 1 1 0 1\n");
   ASSERT_TRUE(t.subgroup.has_value());
   EXPECT_EQ(t.subgroup->at(0).translation[0], 3);
   ASSERT_EQ(t.elements.size(), 2U);
@@ -66,7 +68,8 @@ TEST(TriangulationParser, Indices) {
   expect_malformed(start + "18446744073709551616 0 0 0 0 0 ", "a point index");
   expect_malformed(start + "0 0 0 0 0 ", "an element index");
   expect_malformed(start + "0 0 0 0 0 0 0 ", "expected the end of the file");
-  expect_malformed(kHead + "elements 0 cells 1 0 0 0 0 0 0 ", "an element index out of range: there are none");
+  expect_malformed(kHead + "elements 0 cells 1 0 0 0 0 0 0 ",
+                   "an element index out of range: there are none");
 }
 
 TEST(TriangulationParser, CountLimits) {

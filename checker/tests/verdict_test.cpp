@@ -37,7 +37,9 @@ TEST(Verdict, NamesAreThoseOfTheFormat) {
   EXPECT_EQ(to_string(topology_homology), "topology.homology");
 }
 
-TEST(Verdict, AllHold) { EXPECT_EQ(concluded(all_hold()), Outcome::verified); }
+TEST(Verdict, AllHold) {
+  EXPECT_EQ(concluded(all_hold()), Outcome::verified);
+}
 
 TEST(Verdict, SkippingIsAllowedForNameAndHomologyOnly) {
   for (std::size_t i = 0; i < kConditionCount; ++i) {
@@ -58,11 +60,12 @@ TEST(Verdict, OneFailure) {
   }
 }
 
-// In a tiling these cannot fail alone: the checker contradicts itself, and says so even if something else failed too.
+// In a tiling these cannot fail alone: the checker contradicts itself, and says so even if something else
+// failed too.
 TEST(Verdict, DisagreementIsUnknown) {
-  for (const ConditionName name : {simplices_injective, skeleton_no_loop, skeleton_no_2_cycle, complex_intersection,
-                                   links_spheres, topology_connected, topology_euler, topology_orientable,
-                                   topology_homology}) {
+  for (const ConditionName name :
+       {simplices_injective, skeleton_no_loop, skeleton_no_2_cycle, complex_intersection, links_spheres,
+        topology_connected, topology_euler, topology_orientable, topology_homology}) {
     EXPECT_EQ(with(name, Status::fails), Outcome::unknown) << to_string(name);
     Verdict v = all_hold();
     v[name].status = Status::fails;
@@ -80,7 +83,8 @@ TEST(Verdict, AgreeingFailuresAreRefuted) {
   }
   EXPECT_EQ(concluded(loop), Outcome::refuted);
   Verdict cycle = all_hold();
-  for (const ConditionName name : {skeleton_no_2_cycle, complex_intersection}) cycle[name].status = Status::fails;
+  for (const ConditionName name : {skeleton_no_2_cycle, complex_intersection})
+    cycle[name].status = Status::fails;
   EXPECT_EQ(concluded(cycle), Outcome::refuted);
 }
 

@@ -21,6 +21,7 @@ int run_generate(const GenerateOptions& options) {
     write_output(options.output, family_list());
     return 0;
   }
+  if (options.manifold.empty()) throw InvalidInput("generate: --manifold NAME is required");
   const CatalogueEntry* entry = find_entry(options.manifold);
   if (entry == nullptr)
     throw InvalidInput("no manifold is called \"" + options.manifold.substr(0, 40) +

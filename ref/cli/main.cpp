@@ -43,7 +43,7 @@ int run(int argc, char** argv) {
 
   GenerateOptions generate;
   command = app.add_subcommand("generate", "Generate an instance of a named family");
-  command->add_option("--manifold", generate.manifold, "Name or alias from `flatdt manifolds`")->required();
+  command->add_option("--manifold", generate.manifold, "Name or alias from `flatdt manifolds`");
   command->add_option("--points", generate.points, "Number of points")->capture_default_str();
   command->add_option("--family", generate.family, "Family of point sets; `--family list` lists them")
       ->capture_default_str();

@@ -7,10 +7,12 @@
 namespace flatdt::checker {
 
 /// Judges whether `triangulation` is a Delaunay triangulation of the points of `instance` in E^d/H.
-/// Returns:  the status of every condition with its witness, and the verdict; never throws for an input's fault. A limit
+/// Returns:  the status of every condition with its witness, and the verdict; never throws for an input's
+/// fault. A limit
 ///           of the checker (below), lack of memory or a contradiction makes it unknown, with the reason.
 /// Requires: both came from the parsers, the triangulation with this instance.
-/// Limits:   20,000 bits for every numerator and common denominator of the group; 200,000 cells and 400 critical
+/// Limits:   20,000 bits for every numerator and common denominator of the group; 200,000 cells and 100
+/// critical
 ///           faces for topology.homology, which is then skipped.
 /// Cost:     expected O(n log n) for n cells, in operations on numbers of the size of the input's.
 /// Source:   FORMAT.md; docs/soundness.md proves that `verified` is given exactly to the correct ones.

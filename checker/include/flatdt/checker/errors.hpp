@@ -1,4 +1,5 @@
-// What can go wrong other than a condition failing. The library throws these and never prints, exits or aborts.
+// What can go wrong other than a condition failing. The library throws these and never prints, exits or
+// aborts.
 #pragma once
 
 #include <cstddef>

@@ -29,7 +29,9 @@ template <class Number>
 }
 
 /// -s.
-[[nodiscard]] constexpr Sign opposite(Sign s) { return static_cast<Sign>(-static_cast<int>(s)); }
+[[nodiscard]] constexpr Sign opposite(Sign s) {
+  return static_cast<Sign>(-static_cast<int>(s));
+}
 
 /// The affine map x -> linear x + translation on column vectors: the Seitz symbol {R|t}.
 struct Seitz {

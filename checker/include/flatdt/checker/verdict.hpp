@@ -53,7 +53,9 @@ struct Verdict {
   [[nodiscard]] const Condition& operator[](ConditionName name) const {
     return conditions[static_cast<std::size_t>(name)];
   }
-  [[nodiscard]] Condition& operator[](ConditionName name) { return conditions[static_cast<std::size_t>(name)]; }
+  [[nodiscard]] Condition& operator[](ConditionName name) {
+    return conditions[static_cast<std::size_t>(name)];
+  }
 };
 
 /// The words of FORMAT.md: "group.crystallographic", "holds", "VERIFIED".
@@ -61,9 +63,9 @@ struct Verdict {
 [[nodiscard]] std::string_view to_string(Status status);
 [[nodiscard]] std::string_view to_string(Outcome outcome);
 
-/// Sets outcome (and reason) from the statuses alone: the rules of FORMAT.md, "Programs", and the conditions that must
-/// agree. A disagreement makes the outcome unknown whatever else failed. `claimed`: a name was claimed.
-/// Source: docs/soundness.md, section 6.
+/// Sets outcome (and reason) from the statuses alone: the rules of FORMAT.md, "Programs", and the conditions
+/// that must agree. A disagreement makes the outcome unknown whatever else failed. `claimed`: a name was
+/// claimed. Source: docs/soundness.md, section 6.
 void conclude(Verdict& verdict, bool claimed);
 
 }  // namespace flatdt::checker

@@ -44,12 +44,8 @@ class Matrix {
   explicit Matrix(int dimension) : dimension_(dimension) {}
   static Matrix identity(int dimension);
   [[nodiscard]] int dimension() const { return dimension_; }
-  Rational& operator()(int row, int column) {
-    return a_[static_cast<std::size_t>(row * kMaxDimension + column)];
-  }
-  const Rational& operator()(int row, int column) const {
-    return a_[static_cast<std::size_t>(row * kMaxDimension + column)];
-  }
+  Rational& operator()(int row, int column) { return a_[entry(row, column)]; }
+  const Rational& operator()(int row, int column) const { return a_[entry(row, column)]; }
   [[nodiscard]] Matrix transpose() const;
   [[nodiscard]] Rational determinant() const;
   /// Throws InvalidInput if the matrix is singular.
@@ -71,8 +67,11 @@ class Matrix {
   friend std::strong_ordering operator<=>(const Matrix& a, const Matrix& b);
 
  private:
+  static std::size_t entry(int row, int column) {
+    return static_cast<std::size_t>(row) * kMaxDimension + static_cast<std::size_t>(column);
+  }
   int dimension_;
-  std::array<Rational, kMaxDimension * kMaxDimension> a_;
+  std::array<Rational, std::size_t{kMaxDimension} * kMaxDimension> a_;
 };
 
 /// u^T gram v: the inner product in Gram units.
