@@ -21,7 +21,12 @@ CellId QuotientComplex<D>::new_cell() {
     c = free_.back();
     free_.pop_back();
   } else {
-    if (cells_.size() >= index_of(kNoCell)) throw LimitReached("more than 2^32 - 1 cells");
+    // About 10 GB: beyond it a machine of ordinary size would start to swap rather than fail cleanly.
+    constexpr std::size_t kMaxCells = std::size_t{1} << 26;
+    if (cells_.size() >= kMaxCells)
+      throw LimitReached("the complex needs more than " + std::to_string(kMaxCells) +
+                         " cells: too many points for a cover of " + std::to_string(subgroup_.index()) +
+                         " sheets");
     c = CellId{static_cast<std::uint32_t>(cells_.size())};
     cells_.emplace_back();
   }

@@ -32,7 +32,7 @@ struct Site {
 };
 
 /// Builds the sites of an instance's points. Points in one orbit give one site.
-/// Errors: LimitReached if a denominator has more than 65,536 bits.
+/// Errors: LimitReached if a denominator has more than 8,192 bits.
 /// Complexity: O(n log n) exact comparisons.
 std::vector<Site> make_sites(const Frame& frame, const std::vector<Vector>& points);
 
