@@ -11,36 +11,47 @@
 namespace flatdt::checker {
 namespace {
 
-/// Adds fractions by denominator first and then in a balanced tree, so that the work is quasi-linear in the
-/// bits even when all denominators differ; a running sum would be quadratic.
+/// Adds fractions of equal denominator first and then in a balanced tree, so that the work is quasi-linear in
+/// the bits even when all denominators differ; a running sum would be quadratic. The tree keeps the order of
+/// arrival: cells that are neighbours in the file often share vertices, and then their denominators share
+/// factors.
 class FractionSum {
  public:
   void add(const Integer& numerator, const Integer& denominator) {
-    if (last_ == sums_.end() || last_->first != denominator) last_ = sums_.try_emplace(denominator).first;
-    last_->second += numerator;
+    if (last_ == terms_.size() || terms_[last_].denominator != denominator) {
+      const auto [position, inserted] = by_denominator_.try_emplace(denominator, terms_.size());
+      if (inserted) terms_.push_back({0, denominator});
+      last_ = position->second;
+    }
+    terms_[last_].numerator += numerator;
   }
 
   [[nodiscard]] Rational total() const {
-    std::vector<Rational> terms;
-    for (const auto& [denominator, numerator] : sums_) {
-      terms.emplace_back(numerator, denominator);
-      terms.back().canonicalize();
+    std::vector<Rational> sums;
+    for (const Term& term : terms_) {
+      sums.emplace_back(term.numerator, term.denominator);
+      sums.back().canonicalize();
     }
-    for (; terms.size() > 1; terms.resize((terms.size() + 1) / 2)) {
-      for (std::size_t i = 0; 2 * i < terms.size(); ++i) {
-        if (2 * i + 1 < terms.size()) {
-          terms[i] = terms[2 * i] + terms[2 * i + 1];
+    for (; sums.size() > 1; sums.resize((sums.size() + 1) / 2)) {
+      for (std::size_t i = 0; 2 * i < sums.size(); ++i) {
+        if (2 * i + 1 < sums.size()) {
+          sums[i] = sums[2 * i] + sums[2 * i + 1];
         } else {
-          terms[i] = terms[2 * i];
+          sums[i] = sums[2 * i];
         }
       }
     }
-    return terms.empty() ? Rational(0) : terms.front();
+    return sums.empty() ? Rational(0) : sums.front();
   }
 
  private:
-  std::map<Integer, Integer> sums_;
-  std::map<Integer, Integer>::iterator last_ = sums_.end();
+  struct Term {
+    Integer numerator;
+    Integer denominator;
+  };
+  std::vector<Term> terms_;
+  std::map<Integer, std::size_t> by_denominator_;
+  std::size_t last_ = 0;
 };
 
 Witness facet_witness(const Context& context, const Occurrence& o) {
