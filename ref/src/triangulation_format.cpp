@@ -20,7 +20,7 @@ std::vector<Isometry> parse_isometries(Lexer& lexer, int dimension, std::uint64_
 
 void append_isometries(std::string& text, const std::string& keyword, const std::vector<Isometry>& list) {
   text += keyword + " " + std::to_string(list.size()) + "\n";
-  for (const Isometry& g : list) text += "  " + g.to_string() + "\n";
+  for (const Isometry& g : list) text += "  " + isometry_tokens(g) + "\n";
 }
 
 /// A comment may hold line breaks: every line of it becomes a comment line.
