@@ -18,12 +18,11 @@ struct Corner {
 /// One simplex of a link: the local numbers of its 2 or 3 vertices.
 using LinkSimplex = std::array<std::uint32_t, 3>;
 
-/// One edge of one triangle of a link: the edge's ends, and the triangle's corners there.
+/// One edge of one triangle of a link.
 struct LinkEdge {
   std::uint32_t low;
   std::uint32_t high;
-  std::size_t low_corner;
-  std::size_t high_corner;
+  std::size_t triangle;
 
   [[nodiscard]] bool joins(const LinkEdge& e) const { return low == e.low && high == e.high; }
 };
@@ -75,34 +74,28 @@ const char* cycle_defect(const Link& link) {
   return components.count() == 1 ? nullptr : "the-link-is-not-connected";
 }
 
-/// Why a set of triangles is no sphere, or null: every edge has two triangles, the triangles around every
-/// vertex form one cycle (so it is a closed surface), it is connected, and V - E + F = 2.
+/// Why a set of triangles is no sphere, or null: every edge has two triangles, all triangles are connected
+/// across edges, and V - E + F = 2. (Pulled apart at its vertices it is a connected closed surface, of Euler
+/// number at most 2; a vertex at which that surface touches itself lowers the number. So 2 means a sphere
+/// that touches itself nowhere.)
 const char* sphere_defect(const Link& link) {
   std::vector<LinkEdge> sides;
   for (std::size_t t = 0; t < link.simplices.size(); ++t) {
     for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t a = k;
-      const std::size_t b = (k + 1) % 3;
-      const std::uint32_t at_a = link.simplices[t][a];
-      const std::uint32_t at_b = link.simplices[t][b];
-      sides.push_back(at_a < at_b ? LinkEdge{at_a, at_b, 3 * t + a, 3 * t + b}
-                                  : LinkEdge{at_b, at_a, 3 * t + b, 3 * t + a});
+      const auto [low, high] = std::minmax(link.simplices[t][k], link.simplices[t][(k + 1) % 3]);
+      sides.push_back({low, high, t});
     }
   }
   std::sort(sides.begin(), sides.end(), [](const LinkEdge& a, const LinkEdge& b) {
     return std::pair(a.low, a.high) < std::pair(b.low, b.high);
   });
-  UnionFind umbrellas(3 * link.simplices.size());  // corners joined across edges at their vertex
   UnionFind components(link.simplices.size());
   std::size_t edges = 0;
   for (std::size_t i = 0, end = 0; i < sides.size(); i = end, ++edges) {
     while (end < sides.size() && sides[end].joins(sides[i])) ++end;
     if (end - i != 2) return "an-edge-of-the-link-has-not-two-triangles";
-    umbrellas.join(sides[i].low_corner, sides[i + 1].low_corner);
-    umbrellas.join(sides[i].high_corner, sides[i + 1].high_corner);
-    components.join(sides[i].low_corner / 3, sides[i + 1].low_corner / 3);
+    components.join(sides[i].triangle, sides[i + 1].triangle);
   }
-  if (umbrellas.count() != link.vertices) return "the-link-is-pinched-at-a-vertex";
   if (components.count() != 1) return "the-link-is-not-connected";
   return link.vertices + link.simplices.size() == edges + 2 ? nullptr
                                                             : "the-Euler-number-of-the-link-is-not-2";

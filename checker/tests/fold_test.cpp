@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <sstream>
 #include <string>
 
 #include "build.hpp"
@@ -118,6 +120,51 @@ TEST(Folds, TwoSheets) {
   EXPECT_EQ(witness(v, topology_connected, "components"), "2");
   EXPECT_EQ(v[topology_euler].status, Status::fails);
   EXPECT_EQ(witness(v, topology_euler, "faces-by-dimension"), "49,294,196");
+  EXPECT_EQ(v.outcome, Outcome::refuted);
+}
+
+// Two sheets in space that share the edges in one direction: the links are two spheres that touch twice, V -
+// E + F = 2.
+TEST(Folds, TwoSheetsInSpaceSharingEdges) {
+  TriangulationText t = kuhn_triangulation(7);
+  const std::size_t n = t.cells.size();
+  for (std::size_t c = 0; c < n; ++c) {
+    auto cell = t.cells[c];
+    for (auto& [point, element] : cell) {  // (x, y, z) -> (3x + 4y, 2x + 3y, z)
+      std::istringstream in(element);
+      std::array<int, 12> e{};
+      for (int& entry : e) in >> entry;
+      element = shift({3 * e[3] + 4 * e[7], 2 * e[3] + 3 * e[7], e[11]});
+    }
+    t.cells.push_back(cell);
+  }
+  const Verdict v = judge(cubic_point(), t.str());
+  expect(v, "hhh h hhhhff hhhs f fhhf", Outcome::refuted);
+  EXPECT_EQ(witness(v, links_spheres, "reason"), "the-link-is-not-connected");
+}
+
+// The cone over a 3 x 3 torus from two apexes: facets are paired, but the apexes' links are tori.
+TEST(Folds, SuspensionOfATorus) {
+  std::string instance = "flatdt-instance 1 dimension 3 manifold P1 points 11 1/2 1/3 1/5 1/7 3/4 8/9 ";
+  for (int i = 0; i < 9; ++i) {
+    instance += std::to_string(3 * i * i % 11) + "/11 " + std::to_string(5 * i % 13) + "/13 " +
+                std::to_string(i * i * i % 17) + "/17 ";
+  }
+  TriangulationText t;
+  for (const auto& triangle : grid_triangulation(3, 3).cells) {
+    for (const std::size_t apex : {0, 1}) {
+      TriangulationText::CellVertices cell = {{apex, shift({0, 0, 0})}};
+      for (const auto& [point, element] : triangle) cell.emplace_back(point + 2, shift({0, 0, 0}));
+      t.cells.push_back(cell);
+    }
+  }
+  const Verdict v = judge(instance, t.str());
+  EXPECT_EQ(v[cells_nondegenerate].status, Status::holds);
+  EXPECT_EQ(v[facets_paired].status, Status::holds);
+  EXPECT_EQ(v[links_spheres].status, Status::fails);
+  EXPECT_EQ(witness(v, links_spheres, "reason"), "the-Euler-number-of-the-link-is-not-2");
+  EXPECT_EQ(witness(v, topology_euler, "faces-by-dimension"), "11,45,72,36");
+  EXPECT_EQ(witness(v, topology_homology, "complex"), "0");
   EXPECT_EQ(v.outcome, Outcome::refuted);
 }
 
