@@ -47,6 +47,12 @@ std::string read_input(const std::string& path) {
       if (path != "-") ::close(descriptor);
       throw InvalidInput(path + ": cannot be read: " + why);
     }
+    // An endless input (a device, a pipe) must end in an error, not in memory exhaustion.
+    constexpr std::size_t kMaxBytes = std::size_t{1} << 31;
+    if (text.size() > kMaxBytes) {
+      if (path != "-") ::close(descriptor);
+      throw LimitReached(path + ": more than 2^31 bytes of input");
+    }
     text.append(buffer.data(), static_cast<std::size_t>(n));
   }
   if (path != "-") ::close(descriptor);

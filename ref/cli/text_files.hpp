@@ -5,7 +5,8 @@
 
 namespace flatdt::ref::cli {
 
-/// The whole content of a file, or of standard input for "-". Throws InvalidInput if it cannot be read.
+/// The whole content of a file, or of standard input for "-". Throws InvalidInput if it cannot be read,
+/// LimitReached beyond 2^31 bytes.
 std::string read_input(const std::string& path);
 
 /// Writes text to a temporary file beside `path` and renames it, or to standard output for "-".
