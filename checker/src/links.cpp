@@ -93,6 +93,7 @@ const char* sphere_defect(const Link& link) {
   std::size_t edges = 0;
   for (std::size_t i = 0, end = 0; i < sides.size(); i = end, ++edges) {
     while (end < sides.size() && sides[end].joins(sides[i])) ++end;
+    // A facet at the vertex; facets.paired leaves other numbers only to cells listed twice.
     if (end - i != 2) return "an-edge-of-the-link-has-not-two-triangles";
     components.join(sides[i].triangle, sides[i + 1].triangle);
   }

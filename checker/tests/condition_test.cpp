@@ -154,6 +154,12 @@ TEST(Conditions, OneCellTwice) {
   // Each facet twice, from one side; as a set it is one cell, whose vertices' links are edges.
   const Verdict v = judge(grid_instance(3, 3), t.str());
   expect(v, "hhs h fhhffs hhhs f hfhf", Outcome::refuted);
+
+  TriangulationText space = kuhn_triangulation(3);
+  space.cells = {space.cells[7], space.cells[7]};
+  const Verdict in_space = judge(cubic_point(), space.str());
+  expect(in_space, "hhh h fhhffs hhhs f hfhf", Outcome::refuted);
+  EXPECT_EQ(witness(in_space, links_spheres, "reason"), "an-edge-of-the-link-has-not-two-triangles");
 }
 
 // --- delaunay.empty: a skew metric wants the other diagonals.
