@@ -1,12 +1,22 @@
 /// Point location by visibility walks over lifts (Section 4.2, geometric step).
+#include <cmath>
+
 #include "flatdt/ref/periodic_delaunay.hpp"
 
 namespace flatdt::ref {
 
+/// The first orbit is complete, so the copy of its first vertex within one period of the query is a vertex:
+/// the walk is short however large the cover is. (Rejected: a copy modulo H only. Measured on a torus of axis
+/// ratio 1:5000 in a cover of 17,000 sheets, the walks took nearly all of the time.)
 template <int D>
 OrbitPoint PeriodicDelaunay<D>::start_near(const Lift& query) const {
   const auto& vertex = complex_.vertex(VertexId{0});
-  const Element s = complex_.subgroup().approach(vertex.x, query.x);
+  Element s;
+  for (std::size_t i = 0; i < D; ++i) {
+    const double steps = std::round(query.x[i] - vertex.x[i]);
+    if (std::fabs(steps) > 32767) throw LimitReached("the covering is longer than 32767 lattice vectors");
+    s.t[i] = static_cast<std::int16_t>(steps);
+  }
   return {vertex.point.site, setting_.table->multiply(s, vertex.point.g)};
 }
 

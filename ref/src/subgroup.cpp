@@ -1,7 +1,5 @@
 #include "flatdt/ref/subgroup.hpp"
 
-#include <cmath>
-
 namespace flatdt::ref {
 namespace {
 
@@ -81,19 +79,6 @@ Subgroup::Split Subgroup::split(const Element& g) const {
   const int n0 = basis_[0][0], n1 = basis_[1][1], n2 = basis_[2][2];
   const int rep = ((static_cast<int>(g.coset) * n0 + rest[0]) * n1 + rest[1]) * n2 + rest[2];
   return {s, static_cast<std::uint32_t>(rep)};
-}
-
-Element Subgroup::approach(const std::array<double, 3>& from, const std::array<double, 3>& to) const {
-  std::array<double, 3> rest{to[0] - from[0], to[1] - from[1], to[2] - from[2]};
-  std::array<int, 3> sum{};
-  for (std::size_t j = 0; j < 3; ++j) {
-    const double q = std::round(rest[j] / basis_[j][j]);
-    for (std::size_t i = j; i < 3; ++i) {
-      rest[i] -= q * basis_[j][i];
-      sum[i] += static_cast<int>(q) * basis_[j][i];
-    }
-  }
-  return Element{{narrow(sum[0]), narrow(sum[1]), narrow(sum[2])}, 0};
 }
 
 }  // namespace flatdt::ref

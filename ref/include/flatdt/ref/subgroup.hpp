@@ -31,9 +31,6 @@ class Subgroup {
   /// [G:H].
   [[nodiscard]] std::uint32_t index() const { return static_cast<std::uint32_t>(representatives_.size()); }
   [[nodiscard]] bool is_whole() const { return kind_ == Kind::whole; }
-  /// An element s of H such that s moves `from` close to `to` (a heuristic start for walks; any s is
-  /// correct).
-  [[nodiscard]] Element approach(const std::array<double, 3>& from, const std::array<double, 3>& to) const;
 
  private:
   enum class Kind { whole, sublattice, cosets };
