@@ -203,6 +203,20 @@ def numbers():
         hostile_triangulation("element " + name, TRIANGULATION.replace("1 0 1  0 1 0", f"1 0 1  0 1 {word}"))
 
 
+def colliding_elements(n):
+    """Translations whose low two limbs cancel in the SplitMix chain that once hashed elements: quadratic time then."""
+    mask = (1 << 64) - 1
+
+    def mix(x):
+        x = ((x ^ (x >> 30)) * 0xbf58476d1ce4e5b9) & mask
+        x = ((x ^ (x >> 27)) * 0x94d049bb133111eb) & mask
+        return x ^ (x >> 31)
+
+    state = mix(2)
+    rows = "".join(f"\n1 0 0x{a + ((mix(state ^ a) ^ 0x123456789abcdef1) << 64):x} 0 1 0" for a in range(1, n + 1))
+    return f"flatdt-triangulation 1\nelements {n}{rows}\ncells 0\n"
+
+
 def sizes():
     """Good grammar, hard numbers. Refusals by admissibility are 2, limits of a program 3, and an answer is welcome."""
     answers = (0, 1, 2, 3)
@@ -250,6 +264,7 @@ def sizes():
     hostile_triangulation("a vertex twice in a cell", TRIANGULATION.replace("0 0  0 1  0 2", "0 0  0 0  0 1"), (1,), line=False)
     hostile_triangulation("one vertex thrice", TRIANGULATION.replace("0 0  0 1  0 2", "0 0  0 0  0 0"), (1,), line=False)
     hostile_triangulation("20,000 equal cells", TRIANGULATION.replace("cells 1", "cells 20001" + "\n0 0 0 1 0 2" * 20000), (1,), line=False)
+    hostile_triangulation("elements that collide in a fixed hash", colliding_elements(30000), (1,), line=False)
     fan = "".join(f"\n1 0 {k} 0 1 {k * k}" for k in range(3000))
     cells = "".join(f"\n0 0 0 {k + 1} 0 {k + 2}" for k in range(2998))
     hostile_triangulation("3,000 cells at a vertex", f"flatdt-triangulation 1\nelements 3000{fan}\ncells 2998{cells}\n", (1,), line=False)

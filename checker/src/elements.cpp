@@ -6,15 +6,13 @@
 
 namespace flatdt::checker {
 
-std::size_t ElementTable::Hash::operator()(const Element& element) const {
-  std::uint64_t hash = element.rotation;
-  for (const Integer& x : element.shift) {
-    hash = MixHash{}(hash + (x < 0 ? 1 : 2));
-    for (std::size_t i = 0; i < mpz_size(x.get_mpz_t()); ++i) {
-      hash = MixHash{}(hash ^ mpz_getlimbn(x.get_mpz_t(), static_cast<mp_size_t>(i)));
-    }
+bool ElementTable::Less::operator()(const Element& a, const Element& b) const {
+  if (a.rotation != b.rotation) return a.rotation < b.rotation;
+  for (std::size_t i = 0; i < a.shift.size(); ++i) {
+    const int order = cmp(a.shift[i], b.shift[i]);
+    if (order != 0) return order < 0;
   }
-  return hash;
+  return false;
 }
 
 ElementTable::ElementTable(const Group& group) : group_(group) {

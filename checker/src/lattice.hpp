@@ -13,7 +13,8 @@
 namespace flatdt::checker {
 
 /// Numerators and common denominators of groups may have this many bits (a limit of the checker's own): every
-/// single token of an input fits, only common denominators of many different ones do not.
+/// decimal token of an input fits; a hexadecimal one with the largest exponent, and common denominators of
+/// many different numbers, may not.
 inline constexpr std::size_t kMaxGroupBits = 20'000;
 
 /// Throws ResourceLimit if x has more than kMaxGroupBits bits; `what` names it.

@@ -1,6 +1,6 @@
 // The parser of triangulation files.   Source: FORMAT.md, "Triangulation".
+#include <map>
 #include <string>
-#include <unordered_map>
 
 #include "flatdt/checker/errors.hpp"
 #include "flatdt/checker/input.hpp"
@@ -28,7 +28,7 @@ class NumberPool {
 
  private:
   std::vector<Rational>& numbers_;
-  std::unordered_map<std::string, std::uint32_t> index_;
+  std::map<std::string, std::uint32_t> index_;  // ordered: see ElementTable
 };
 
 std::uint32_t parse_index(Lexer& lexer, const char* what, std::size_t size) {

@@ -1,7 +1,5 @@
 #include "flatdt/ref/group_analysis.hpp"
 
-#include <algorithm>
-
 #include "flatdt/ref/errors.hpp"
 #include "group_parts.hpp"
 
@@ -28,17 +26,6 @@ void check_name(const std::string& claimed, const CatalogueEntry& entry) {
                        InvalidInput::Section::manifold);
 }
 
-/// Lattice reduction and the predicates take products of the metric's entries. The limit covers exponents
-/// down to 10^-1100 and 2^-4400.
-void check_metric_size(const Matrix& gram) {
-  constexpr std::size_t kMaxMetricBits = 4608;
-  for (int i = 0; i < gram.dimension(); ++i)
-    for (int j = i; j < gram.dimension(); ++j)
-      if (std::max(gram(i, j).numerator().bits(), gram(i, j).denominator().bits()) > kMaxMetricBits)
-        throw LimitReached("entry (" + std::to_string(i + 1) + "," + std::to_string(j + 1) +
-                           ") of the metric has a numerator or denominator of more than 4608 bits");
-}
-
 }  // namespace
 
 FixedPointError::FixedPointError(const Isometry& element, const Vector& point)
@@ -48,7 +35,6 @@ FixedPointError::FixedPointError(const Isometry& element, const Vector& point)
       point_(point) {}
 
 GroupAnalysis analyse(const Instance& instance) {
-  check_metric_size(instance.gram);
   check_metric(instance.gram);
   const CosetGroup group = close_group(instance.generators, instance.gram);
   const WorkingGroup working = working_group(group, instance.gram);

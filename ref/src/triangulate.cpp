@@ -110,11 +110,27 @@ Triangulation to_triangulation(const std::vector<CellPoints<D>>& cells, const st
   return result;
 }
 
+/// The predicates take products of the metric's entries. The limit covers exponents down to 10^-1100 and
+/// 2^-4400.
+const Frame& checked_size(const Frame& frame) {
+  constexpr std::size_t kMaxMetricBits = 4608;
+  for (int i = 0; i < frame.dimension; ++i)
+    for (int j = i; j < frame.dimension; ++j) {
+      const Rational& entry = frame.gram(i, j);
+      if (std::max(entry.numerator().bits(), entry.denominator().bits()) > kMaxMetricBits)
+        throw LimitReached(
+            "entry (" + std::to_string(i + 1) + "," + std::to_string(j + 1) +
+            ") of the metric of the reduced lattice has a numerator or denominator of more than " +
+            std::to_string(kMaxMetricBits) + " bits");
+    }
+  return frame;
+}
+
 template <int D>
 class Run {
  public:
   Run(const Instance& instance, const GroupAnalysis& analysis, const TriangulationOptions& options)
-      : frame_(analysis.frame),
+      : frame_(checked_size(analysis.frame)),
         table_(frame_),
         sites_(make_sites(frame_, instance.points)),
         order_(frame_, table_),
