@@ -4,6 +4,7 @@
 #include "flatdt/ref/errors.hpp"
 #include "flatdt/ref/instance_format.hpp"
 #include "flatdt/ref/svg.hpp"
+#include "group_report.hpp"
 #include "text_files.hpp"
 
 namespace flatdt::ref::cli {
@@ -15,6 +16,7 @@ int run_draw(const DrawOptions& options) {
   if (instance.dimension != 2)
     throw InvalidInput(options.instance + ": draw is for dimension 2, this instance has dimension " +
                        std::to_string(instance.dimension));
+  static_cast<void>(analysed(instance, options.instance));  // an inadmissible group is refused with its line
   const Triangulation triangulation = parse_triangulation(
       read_input(options.triangulation), options.triangulation, instance.dimension, instance.points.size());
   const Drawing drawing = draw_svg(instance, triangulation, {options.show_two_cycle, options.show_violation});

@@ -41,8 +41,10 @@ constexpr const char* kStyle =
     "}\n"
     "</style>\n";
 
-/// Two decimals; printf would follow the locale. Requires: |value| < 1e9.
+/// Two decimals; printf would follow the locale. Throws LimitReached unless |value| < 1e9 (a metric whose
+/// entries exceed the range of double gives infinities and NaNs here).
 std::string text(double value) {
+  if (!(std::abs(value) < 1e9)) throw LimitReached("the cell is too large, small or long to be drawn");
   const long long hundredths = std::llround(value * 100);
   const long long size = hundredths < 0 ? -hundredths : hundredths;
   const std::string fraction = std::to_string(size % 100);

@@ -44,7 +44,9 @@ Page::Page(const PlaneGroup& group) : inverse_(group.inverse) {
     }
   }
   scale_ = kLongSide / std::max(high.x - low.x, high.y - low.y);
-  if (!std::isfinite(scale_) || scale_ <= 0) throw LimitReached("the cell is too large or small to be drawn");
+  if (!std::isfinite(scale_) || scale_ <= 0 || !std::isfinite(first_[0]) || !std::isfinite(second_[0]) ||
+      !std::isfinite(second_[1]))
+    throw LimitReached("the cell is too large or small to be drawn");
   width_ = (high.x - low.x) * scale_;
   height_ = (high.y - low.y) * scale_;
   corner_ = {low.x, high.y};
