@@ -373,7 +373,7 @@ for _name, _note, *_rest in [
     ("3d-metric-not-invariant", "The screw of the tetracosm needs A = B.", 3, None, "1 0 0 2 0 1", "tetracosm"),
     ("3d-metric-of-the-other-setting", "P3_1 with the metric of gamma = 60 degrees.", 3, None, "1 1/2 0 1 0 1", "P31"),
     ("3d-metric-nearly-invariant", "The glide of Pc is off by 10^-30 in the metric.", 3, None,
-     "1 0 0.000000000000000000000000000001 1 0 1", "Pc"),
+     "1 0.000000000000000000000000000001 0 1 0 1", "Pc"),
     ("3d-rotation-3-4-5", "A 49th linear part.", 3, T3 + ["3/5 -4/5 0 0 4/5 3/5 0 0 0 0 1 1/2"]),
     ("3d-singular", "A generator that is not invertible.", 3, T3 + ["1 0 0 0 0 1 0 0 0 0 0 0"]),
 ]:
