@@ -134,8 +134,10 @@ std::vector<DrawnTriangle> copies(const Triangle& triangle, const PlaneGroup& gr
       range[i] = meeting(low, high, page.low()[i], page.high()[i]);
     }
     if (range[0].size() * range[1].size() > kMaxCopies) return {};
-    for (double l = range[0].first; l <= range[0].last; ++l) {
-      for (double m = range[1].first; m <= range[1].last; ++m) {
+    for (int i = 0; range[0].first + i <= range[0].last; ++i) {
+      const double l = range[0].first + i;
+      for (int j = 0; range[1].first + j <= range[1].last; ++j) {
+        const double m = range[1].first + j;
         std::array<Place, 3> corners{};
         for (std::size_t k = 0; k < 3; ++k) corners[k] = page.place(u[k][0] + l, u[k][1] + m);
         if (page.is_visible({corners.begin(), corners.end()})) list.push_back({corners, l == 0 && m == 0});
