@@ -175,6 +175,10 @@ std::vector<DrawnPoint> point_copies(const Instance& instance, const PlaneGroup&
   }
   if (!((high[0] - low[0]) * (high[1] - low[1]) < 1e5))
     throw LimitReached("too many copies of the cell in view");
+  // A product can be small while one side is beyond any integer.
+  for (std::size_t i = 0; i < 2; ++i)
+    if (!(std::abs(low[i]) < 1e9 && std::abs(high[i]) < 1e9))
+      throw LimitReached("too many copies of the cell in view");
   const auto first = [&](std::size_t i) { return static_cast<long>(std::floor(low[i])) - 1; };
   const auto last = [&](std::size_t i) { return static_cast<long>(std::ceil(high[i])) + 1; };
   for (const auto& [index, point] : sorted) {
