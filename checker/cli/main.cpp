@@ -2,6 +2,7 @@
 // The exit code and the last line of standard output always say the same: 0 VERIFIED, 1 REFUTED, 2 MALFORMED,
 // 3 UNKNOWN; wrong usage, an unreadable file too, is 2 without a verdict.   Source: FORMAT.md, "Programs".
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -9,6 +10,7 @@
 #include <iostream>
 #include <new>
 #include <string>
+#include <system_error>
 
 #include "flatdt/checker/check.hpp"
 #include "flatdt/checker/errors.hpp"
@@ -46,6 +48,11 @@ bool print(const std::string& text) {
   return std::fflush(stdout) == 0 && written;
 }
 
+/// The failure with the system's reason for it.
+std::ios_base::failure unreadable(const std::string& what) {
+  return std::ios_base::failure(what, std::error_code(errno, std::generic_category()));
+}
+
 /// An input file, or standard input for "-". A directory opens but cannot be read, hence the peek.
 class Input {
  public:
@@ -54,15 +61,15 @@ class Input {
       stream_ = &std::cin;
     } else {
       file_.open(path, std::ios::binary);
-      if (!file_) throw std::ios_base::failure("cannot open " + path);
+      if (!file_) throw unreadable("cannot open " + path);
       stream_ = &file_;
     }
     try {
       stream_->rdbuf()->sgetc();
     } catch (const std::ios_base::failure&) {
-      throw std::ios_base::failure("cannot read " + path);
+      throw unreadable("cannot read " + path);
     }
-    if (path == "-" && std::ferror(stdin) != 0) throw std::ios_base::failure("cannot read standard input");
+    if (path == "-" && std::ferror(stdin) != 0) throw unreadable("cannot read standard input");
   }
   [[nodiscard]] std::istream& stream() { return *stream_; }
   [[nodiscard]] const std::string& name() const { return name_; }

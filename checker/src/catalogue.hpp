@@ -1,5 +1,5 @@
 // The twelve closed flat manifolds of dimensions 2 and 3: their names, generators and invariants.
-// Source: Hantzsche & Wendt 1935; the names of Conway & Rossetti, "Describing the platycosms" (2003).
+// Source: [HantzscheWendt35]; the names of [ConwayRossetti03].
 #pragma once
 
 #include <optional>

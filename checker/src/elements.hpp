@@ -18,8 +18,8 @@ namespace flatdt::checker {
 
 inline constexpr ElementId kIdentity{0};
 
-/// Mixes a 64-bit key: consecutive ids must not fall into consecutive buckets.   Source: Steele et al. 2014,
-/// SplitMix.
+/// Mixes a 64-bit key: consecutive ids must not fall into consecutive buckets.   Source: SplitMix of
+/// [SteeleLeaFlood14].
 struct MixHash {
   [[nodiscard]] std::size_t operator()(std::uint64_t x) const {
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9U;

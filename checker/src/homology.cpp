@@ -9,7 +9,7 @@
 //       (a collapse); when no such edge is left, a triangle is set aside as a relation and the collapses go
 //       on.
 // What remains are a graph, of which a spanning forest is zero, and the relations set aside.
-// Source: Forman, "Morse theory for cell complexes" (1998); docs/soundness.md, section 6.
+// Source: [Forman98]; docs/soundness.md, section 6.
 #include <algorithm>
 #include <cstdint>
 #include <map>

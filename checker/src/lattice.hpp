@@ -1,8 +1,7 @@
 // Subgroups of Q^d generated one vector at a time, in row Hermite normal form over one common denominator.
 //
 // Invariants: row c, if present, has its first nonzero entry in column c, and it is positive; the entries of
-// other rows in that column lie in [0, pivot).   Source: Cohen, A Course in Computational Algebraic Number
-// Theory, 2.4.
+// other rows in that column lie in [0, pivot).   Source: [Cohen93, section 2.4].
 #pragma once
 
 #include <array>

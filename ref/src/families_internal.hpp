@@ -15,7 +15,7 @@ namespace flatdt::ref::families_detail {
 /// Pseudo-random 64-bit numbers: a counter in steps of the golden ratio, mixed by two rounds of
 /// xor-shift-multiply. Integer arithmetic modulo 2^64 only, so the same on every machine; the distributions
 /// of the standard library are not.
-/// Source: SplitMix64 [Steele, Lea & Flood 2014, OOPSLA, fig. 17].
+/// Source: SplitMix64 [SteeleLeaFlood14].
 class Random {
  public:
   /// Streams of different names are independent for the same seed.

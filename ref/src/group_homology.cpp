@@ -60,8 +60,8 @@ class Relations {
 
 }  // namespace
 
-/// Source: the presentation of an extension of a finite group by a free abelian one ([Johnson97,
-/// chapter 10]), abelianised; the torsion coefficients are its invariant factors.
+/// Source: the presentation of an extension of a finite group by a free abelian one ([Johnson97]),
+/// abelianised; the torsion coefficients are its invariant factors.
 Homology first_homology(const WorkingGroup& group) {
   const Relations relations(group);
   const SmithForm smith = smith_normal_form(relations.rows());

@@ -14,7 +14,7 @@ namespace flatdt::ref {
 namespace {
 
 /// Makes |u| <= |v| and 2 |<u,v>| <= |u|^2 (Lagrange, Gauss).
-/// Complexity: O(log(|v|/shortest)) steps [Lagarias80, section 4]; a last tie <u,v> = |u|^2/2 is sent to
+/// Complexity: O(log(|v|/shortest)) steps [Lagarias80]; a last tie <u,v> = |u|^2/2 is sent to
 /// -|u|^2/2, where the quotient is 0, so it cannot repeat.
 void lagrange_reduce(const Matrix& gram, Vector& u, Vector& v) {
   for (;;) {
@@ -41,7 +41,7 @@ Vector reduce_by_plane(const Matrix& gram, const Vector& u, const Vector& v, con
 }
 
 /// Makes |u| <= |v| <= |w| and 2 |<x,y>| <= |x|^2 for every two of them.
-/// Complexity: O(log(|w|/shortest)) rounds [NguyenStehle09, section 4]; pairwise reduction alone, and
+/// Complexity: O(log(|w|/shortest)) rounds [NguyenStehle09]; pairwise reduction alone, and
 /// Selling's algorithm from an arbitrary basis, have no such bound: the latter takes 10^300 steps on entries
 /// of 10^600.
 void greedy_reduce(const Matrix& gram, Vector& u, Vector& v, Vector& w) {

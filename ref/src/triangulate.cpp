@@ -10,7 +10,7 @@
 namespace flatdt::ref {
 namespace {
 
-/// SplitMix64 (Steele, Lea & Flood 2014): the same numbers on every machine.
+/// SplitMix64 [SteeleLeaFlood14]: the same numbers on every machine.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}
@@ -33,7 +33,7 @@ std::vector<SiteId> random_order(std::size_t n, Random& random) {
   return order;
 }
 
-/// Each orbit goes one level up with probability 1/kRatio (Devillers 2002 recommends about 1/30).
+/// Each orbit goes one level up with probability 1/kRatio ([Devillers02] recommends about 1/30).
 std::size_t random_level(Random& random) {
   constexpr std::uint64_t kRatio = 30;
   std::size_t level = 0;

@@ -1,4 +1,4 @@
-/// The Delaunay hierarchy (Section 4.2; Devillers 2002) over covers and the manifold.
+/// The Delaunay hierarchy (Section 4.2; [Devillers02]) over covers and the manifold.
 /// Invariants: level l+1 holds a random subset of the orbits of level l; every level starts in the cover X_C
 /// with its first orbit as a block and is converted to the manifold as soon as its list L is empty. Lower
 /// levels have more points, so below a level on the manifold all are on it. The pointers between levels are

@@ -62,7 +62,8 @@ std::vector<Vector> short_vectors(const Matrix& gram, const Rational& bound);
 /// Least nonzero squared length.
 Rational shortest_squared_length(const Matrix& gram);
 /// The Voronoi-relevant candidates: all nonzero sums of subsets of an obtuse superbase (6 in 2D, 14 in 3D);
-/// the closed Voronoi cell is { x : 2 <x,n> <= <n,n> for these n } (Selling, Voronoi; Conway & Sloane 1992).
+/// the closed Voronoi cell is { x : 2 <x,n> <= <n,n> for these n } ([Selling1874], [Voronoi1908];
+/// [ConwaySloane92]).
 std::vector<Vector> voronoi_vectors(const Matrix& gram);
 /// mu^2, the largest squared distance of a point from the lattice: the largest circumradius^2 of a Delaunay
 /// polytope.

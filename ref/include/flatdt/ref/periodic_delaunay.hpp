@@ -44,7 +44,7 @@ class PeriodicDelaunay {
 
   /// A cell whose base lift, with the query at `seen`, contains the query in its closure.
   /// `query` is the element g of the query point g * site; the walk starts at the point `near` of the orbit
-  /// set. Termination: a visibility walk in a regular triangulation of E^d cannot cycle (Edelsbrunner 1990).
+  /// set. Termination: a visibility walk in a regular triangulation of E^d cannot cycle [Edelsbrunner90].
   [[nodiscard]] Location locate(SiteId site, const Element& query, const OrbitPoint& near);
   /// A point of GP to start from when nothing nearer is known.
   [[nodiscard]] OrbitPoint start_near(const Lift& query) const;

@@ -39,7 +39,7 @@ class Predicates {
 
   /// Is w in conflict with the cell: strictly inside its circumsphere, or on it and inside after the
   /// perturbation? Requires: the cell is positively oriented and w is none of its vertices. Never undecided.
-  /// Source: Devillers & Teillaud 2003, with the order of TieOrder (INSERTION 2).
+  /// Source: [DevillersTeillaud03], with the order of TieOrder (INSERTION 2).
   [[nodiscard]] bool conflict_sos(const Simplex& cell, const Lift& w) {
     const Sign sign = insphere(cell, w);
     return sign != Sign::zero ? sign == Sign::positive : perturbed_conflict(cell, w);

@@ -2,7 +2,7 @@
 /// First the orbit's rank; then, within an orbit, the left order of the group, whose key is R^-1 t in the
 /// catalogue's coordinate order. For the didicosm group, which is not left-orderable, the order of its
 /// index-2 dicosm subgroup H: write g = h or h a; compare (0 or 1, key(h)). It is invariant under
-/// `invariance_group()`: G, or H for the didicosm. Source: Devillers & Teillaud 2003 for the perturbation;
+/// `invariance_group()`: G, or H for the didicosm. Source: [DevillersTeillaud03] for the perturbation;
 /// differs: their order is lexicographic, which does not commute with a glide or a screw.
 #pragma once
 
