@@ -32,9 +32,10 @@ int run_generate(const GenerateOptions& options);
 struct TriangulateOptions {
   std::string instance;
   std::string output = "-";
-  std::string json_summary;         // empty: none
-  std::string sheets = "smallest";  // or "theorem10"
-  std::uint64_t order_seed = 0;     // internal insertion order; the output does not depend on it
+  std::string json_summary;               // empty: none
+  std::string engine = "without-covers";  // or "covering"
+  std::string sheets = "smallest";        // or "theorem10"
+  std::uint64_t order_seed = 0;           // internal insertion order; the output does not depend on it
   long max_sheets = 20000;
   bool quiet = false;
 };

@@ -60,21 +60,38 @@ int run(int argc, char** argv) {
   command->add_option("-o,--output", triangulate.output, "Output file, - for standard output")
       ->capture_default_str();
   command->add_option("--json-summary", triangulate.json_summary, "Write a JSON summary to this file");
-  command
-      ->add_option("--sheets", triangulate.sheets,
-                   "Covering used while inserting: smallest (least safe sublattice) or theorem10 (c times "
-                   "the lattice)")
-      ->check(CLI::IsMember({"smallest", "theorem10"}))
-      ->capture_default_str();
+  const CLI::Option* engine =
+      command
+          ->add_option("--engine", triangulate.engine,
+                       "without-covers, or covering (the paper's: in a cover first); the output is the same")
+          ->check(CLI::IsMember({"without-covers", "covering"}))
+          ->capture_default_str();
+  const CLI::Option* sheets =
+      command
+          ->add_option(
+              "--sheets", triangulate.sheets,
+              "Covering used while inserting: smallest (least safe sublattice) or theorem10 (c times "
+              "the lattice); implies --engine covering")
+          ->check(CLI::IsMember({"smallest", "theorem10"}))
+          ->capture_default_str();
   command
       ->add_option("--order", triangulate.order_seed,
                    "Seed of the internal insertion order; the output is the same")
       ->capture_default_str();
-  command->add_option("--max-sheets", triangulate.max_sheets, "Largest covering to work in")
-      ->check(CLI::Range(1L, 1000000000L))
-      ->capture_default_str();
+  const CLI::Option* max_sheets = command
+                                      ->add_option("--max-sheets", triangulate.max_sheets,
+                                                   "Largest covering to work in; implies --engine covering")
+                                      ->check(CLI::Range(1L, 1000000000L))
+                                      ->capture_default_str();
   command->add_flag("-q,--quiet", triangulate.quiet, "Nothing on standard error but errors");
-  command->callback([&] { action = [&] { return run_triangulate(triangulate); }; });
+  command->callback([&] {
+    if (sheets->count() > 0 || max_sheets->count() > 0) {
+      if (engine->count() > 0 && triangulate.engine != "covering")
+        throw CLI::ValidationError("--sheets and --max-sheets belong to --engine covering");
+      triangulate.engine = "covering";
+    }
+    action = [&] { return run_triangulate(triangulate); };
+  });
 
   ImportOptions import_options;
   command = app.add_subcommand("import",

@@ -46,11 +46,16 @@ Json summary(const Instance& instance, const GroupAnalysis& analysis, const Tria
   json["distinct_points"] = std::to_string(result.distinct_points);
   json["sheets"] = std::to_string(result.sheets);
   json["cells"] = std::to_string(result.triangulation.cells.size());
-  json["working_cover"]["sheets"] = std::to_string(result.working_cover.sheets);
-  json["working_cover"]["lattice"] = Json::array();
-  for (int j = 0; j < instance.dimension; ++j) {
-    const Vector v = analysis.frame.basis * result.working_cover.basis.column(j);
-    json["working_cover"]["lattice"].push_back(v.to_string());
+  json["engine"] = result.working_cover ? "covering" : "without-covers";
+  json["working_cover"] = nullptr;
+  if (result.working_cover) {
+    Json& cover = json["working_cover"];
+    cover["sheets"] = std::to_string(result.working_cover->sheets);
+    cover["lattice"] = Json::array();
+    for (int j = 0; j < instance.dimension; ++j) {
+      const Vector v = analysis.frame.basis * result.working_cover->basis.column(j);
+      cover["lattice"].push_back(v.to_string());
+    }
   }
   json["switched_after_points"] =
       result.switched_after ? Json(std::to_string(*result.switched_after)) : Json(nullptr);
@@ -65,11 +70,15 @@ void tell(const Instance& instance, const GroupAnalysis& analysis, const Triangu
   std::string text = analysis.entry->name + ": " + std::to_string(instance.points.size()) + " points";
   if (result.distinct_points != instance.points.size())
     text += " (" + std::to_string(result.distinct_points) + " distinct)";
-  text += "; worked in a cover of " + std::to_string(result.working_cover.sheets) + " sheets; ";
-  if (result.switched_after)
-    text += "switched to the manifold after " + std::to_string(*result.switched_after) + " points";
+  if (!result.working_cover)
+    text += std::string("; worked without covers; the condition of Corollary 9 ") +
+            (Rational(4) * result.empty_diameter_squared < result.delta_squared ? "holds" : "does not hold");
+  else if (result.switched_after)
+    text += "; worked in a cover of " + std::to_string(result.working_cover->sheets) +
+            " sheets; switched to the manifold after " + std::to_string(*result.switched_after) + " points";
   else
-    text += "the condition of Corollary 9 was not met";
+    text += "; worked in a cover of " + std::to_string(result.working_cover->sheets) +
+            " sheets; the condition of Corollary 9 was not met";
   text += "\ndelta^2 = " + result.delta_squared.to_string() +
           ", Delta^2 = " + result.empty_diameter_squared.to_string() + "\n";
   for (const std::string& line : describe(result)) text += line + "\n";
@@ -84,6 +93,7 @@ int run_triangulate(const TriangulateOptions& options) {
   const Instance instance = parse_instance(read_input(options.instance), file_name);
   const GroupAnalysis analysis = analysed(instance, file_name);
   TriangulationOptions settings;
+  settings.insertion = options.engine == "covering" ? Insertion::covering : Insertion::without_covers;
   settings.cover = options.sheets == "theorem10" ? CoverChoice::theorem10 : CoverChoice::smallest;
   settings.order_seed = options.order_seed;
   settings.max_sheets = options.max_sheets;

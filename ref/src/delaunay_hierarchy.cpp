@@ -8,13 +8,14 @@ namespace flatdt::ref {
 
 template <int D>
 void DelaunayHierarchy<D>::start_level(SiteId site) {
-  levels_.emplace_back(setting_, cover_);
+  levels_.emplace_back(setting_, cover_, insertion_);
   levels_.back().start(site, triangulate_first_orbit<D>(*setting_.frame, *setting_.table, *setting_.sites,
                                                         *setting_.order, *setting_.predicates, site));
 }
 
 template <int D>
 void DelaunayHierarchy<D>::convert_if_possible(std::size_t level) {
+  if (insertion_ == Insertion::without_covers) return;
   // Step 2 of Section 4.1.
   if (levels_[level].is_on_manifold() || levels_[level].large_cells() > 0) return;
   levels_[level].convert_to_manifold();

@@ -4,23 +4,27 @@
 
 #include "flatdt/ref/finite_star.hpp"
 #include "flatdt/ref/lattice.hpp"
+#include "flatdt/ref/orbit_position.hpp"
 
 namespace flatdt::ref {
 namespace {
 
-/// All points of Gq that can be neighbours of p = g q in DT(Gq), and p + e_i first.
+/// All points of Hp that can be neighbours of p = g q in DT(Hp), and p + e_i first.
 /// Neighbours lie in p + 2V, V the closed Voronoi cell of the lattice, so each is, for a coset r and u = rq -
 /// p and some e in {0,1}^d, the point rq + e - 2s with s a lattice vector closest to (u + e)/2 (INSERTION 4).
-std::vector<OrbitPoint> neighbour_candidates(const Frame& frame, const GroupTable& table, const Site& site,
+std::vector<OrbitPoint> neighbour_candidates(const Frame& frame, const GroupTable& table,
+                                             const std::vector<Site>& sites, const Subgroup& subgroup,
                                              SiteId id, const Element& g) {
   const int d = frame.dimension;
-  Vector q(d);
-  for (int i = 0; i < d; ++i)
-    q[i] = Rational(Integer(site.numerators[static_cast<std::size_t>(i)]), Integer(site.denominator));
+  const Vector q = position(table, sites, {id, Element{}});
   const Vector p = table.isometry(g) * q;
+  const Element back = table.inverse(g);
   std::vector<OrbitPoint> candidates;
   for (int c = 0; c < table.cosets(); ++c) {
-    const Isometry r = table.isometry(Element{{}, static_cast<std::uint16_t>(c)});
+    const Element representative{{}, static_cast<std::uint16_t>(c)};
+    // H contains the lattice, so that a coset of it is in Hg or disjoint from it.
+    if (subgroup.split(table.multiply(representative, back)).rep != 0) continue;
+    const Isometry r = table.isometry(representative);
     const Vector u = r * q - p;
     for (int e = 0; e < (1 << d); ++e) {
       Vector shifted = u;
@@ -54,6 +58,15 @@ std::vector<OrbitPoint> neighbour_candidates(const Frame& frame, const GroupTabl
 }  // namespace
 
 template <int D>
+std::vector<CellPoints<D>> star_in_own_orbit(const Frame& frame, const GroupTable& table,
+                                             const std::vector<Site>& sites, Predicates<D>& predicates,
+                                             const Subgroup& subgroup, const OrbitPoint& q) {
+  return FiniteStar<D>(table, sites, predicates, q,
+                       neighbour_candidates(frame, table, sites, subgroup, q.site, q.g))
+      .cells();
+}
+
+template <int D>
 std::vector<CellPoints<D>> triangulate_first_orbit(const Frame& frame, const GroupTable& table,
                                                    const std::vector<Site>& sites, const TieOrder& order,
                                                    Predicates<D>& predicates, SiteId site) {
@@ -61,10 +74,8 @@ std::vector<CellPoints<D>> triangulate_first_orbit(const Frame& frame, const Gro
   std::vector<CellPoints<D>> stars;
   // One star for each orbit of vertices modulo the invariance group: one, or two for the didicosm.
   for (std::uint32_t rep = 0; rep < group.index(); ++rep) {
-    const OrbitPoint q{site, group.representative(rep)};
-    const std::vector<OrbitPoint> candidates =
-        neighbour_candidates(frame, table, sites[index_of(site)], site, q.g);
-    const std::vector<CellPoints<D>> star = FiniteStar<D>(table, sites, predicates, q, candidates).cells();
+    const std::vector<CellPoints<D>> star = star_in_own_orbit<D>(
+        frame, table, sites, predicates, Subgroup::whole(table), {site, group.representative(rep)});
     stars.insert(stars.end(), star.begin(), star.end());
   }
   // Each of the d+1 vertices of a cell is equivalent to exactly one of the centres: the cell occurs d+1
@@ -74,6 +85,12 @@ std::vector<CellPoints<D>> triangulate_first_orbit(const Frame& frame, const Gro
   return *std::move(cells);
 }
 
+template std::vector<CellPoints<2>> star_in_own_orbit<2>(const Frame&, const GroupTable&,
+                                                         const std::vector<Site>&, Predicates<2>&,
+                                                         const Subgroup&, const OrbitPoint&);
+template std::vector<CellPoints<3>> star_in_own_orbit<3>(const Frame&, const GroupTable&,
+                                                         const std::vector<Site>&, Predicates<3>&,
+                                                         const Subgroup&, const OrbitPoint&);
 template std::vector<CellPoints<2>> triangulate_first_orbit<2>(const Frame&, const GroupTable&,
                                                                const std::vector<Site>&, const TieOrder&,
                                                                Predicates<2>&, SiteId);

@@ -1,13 +1,15 @@
-/// Conflict region over lifts and starring of the hole (Section 4.2), and the list L (Section 4.1).
+/// Starring of the hole (Section 4.2), the list L and the conversion to the manifold (Section 4.1).
 #include <algorithm>
 
 #include "flatdt/ref/periodic_delaunay.hpp"
+#include "long_lattice_star.hpp"
 
 namespace flatdt::ref {
 
 template <int D>
-PeriodicDelaunay<D>::PeriodicDelaunay(const Setting<D>& setting, const Subgroup& subgroup)
-    : setting_(setting), complex_(*setting.table, *setting.sites, subgroup) {}
+PeriodicDelaunay<D>::PeriodicDelaunay(const Setting<D>& setting, const Subgroup& subgroup,
+                                      Insertion insertion)
+    : setting_(setting), insertion_(insertion), complex_(*setting.table, *setting.sites, subgroup) {}
 
 template <int D>
 void PeriodicDelaunay<D>::start(SiteId site, const std::vector<CellPoints<D>>& cells) {
@@ -20,8 +22,8 @@ void PeriodicDelaunay<D>::start(SiteId site, const std::vector<CellPoints<D>>& c
 
 template <int D>
 void PeriodicDelaunay<D>::note_new(CellId c) {
-  // On the manifold Corollary 9 has been met for good: L is not needed any more.
-  if (is_on_manifold()) return;
+  // On the manifold Corollary 9 has been met for good, and without covers nothing waits for it.
+  if (is_on_manifold() || insertion_ == Insertion::without_covers) return;
   auto& cell = complex_.cell(c);
   cell.large = setting_.circumradius->is_large(complex_.base_lift(c));
   if (cell.large) ++large_cells_;
@@ -31,82 +33,6 @@ template <int D>
 void PeriodicDelaunay<D>::note_deleted(CellId c) {
   if (complex_.cell(c).large) --large_cells_;
   complex_.cell(c).large = false;
-}
-
-template <int D>
-bool PeriodicDelaunay<D>::in_conflict(CellId c, const OrbitPoint& seen) const {
-  return setting_.predicates->conflict_sos(complex_.base_lift(c), complex_.lift(seen));
-}
-
-template <int D>
-void PeriodicDelaunay<D>::add_boundary_facet(const Location& inside, std::uint32_t facet,
-                                             const Element& lift) {
-  const GroupTable& table = *setting_.table;
-  const auto& cell = complex_.cell(inside.cell);
-  BoundaryFacet b;
-  b.outside = cell.neighbour[facet];
-  b.outside_lift = table.multiply(lift, cell.gluing[facet]);
-  b.hole = facet;
-  for (std::size_t j = 0; j <= D; ++j) {
-    b.vertex[j] = cell.vertex[j];
-    b.offset[j] = table.multiply(lift, cell.offset[j]);
-  }
-  const Element back = table.inverse(cell.gluing[facet]);
-  const auto& outside = complex_.cell(b.outside);
-  std::uint32_t f = 0;
-  while (f <= D && !(outside.neighbour[f] == inside.cell && outside.gluing[f] == back)) ++f;
-  ensure(f <= D, "neighbours know each other");
-  b.outside_facet = f;
-  // The base lift is positively oriented; under a reversing element two vertices change places.
-  if (table.reverses_orientation(lift)) {
-    const std::size_t j = facet == 0 ? 1 : 0;
-    const std::size_t k = facet == 2 || j == 2 ? 1 : 2;
-    std::swap(b.vertex[j], b.vertex[k]);
-    std::swap(b.offset[j], b.offset[k]);
-  }
-  boundary_.push_back(b);
-}
-
-template <int D>
-void PeriodicDelaunay<D>::collect_conflicts(SiteId site, const Element& base, const Location& at) {
-  const GroupTable& table = *setting_.table;
-  ++visit_;
-  region_.clear();
-  boundary_.clear();
-  const auto mark = [this](const Location& where, bool conflict) {
-    auto& cell = complex_.cell(where.cell);
-    cell.visit = visit_;
-    cell.visit_lift = where.seen;
-    cell.conflict = conflict;
-  };
-  ensure(in_conflict(at.cell, {site, at.seen}), "a point in the closure of a cell is in conflict with it");
-  mark(at, true);
-  region_.push_back(at);
-  for (std::size_t i = 0; i < region_.size(); ++i) {
-    const Location here = region_[i];
-    const Element lift = table.multiply(base, table.inverse(here.seen));
-    for (std::uint32_t k = 0; k <= D; ++k) {
-      const auto& cell = complex_.cell(here.cell);
-      const Location there{cell.neighbour[k], table.multiply(table.inverse(cell.gluing[k]), here.seen)};
-      const auto& next = complex_.cell(there.cell);
-      const bool seen_before = next.visit == visit_;
-      if (!seen_before || next.visit_lift != there.seen) {
-        const bool conflict = in_conflict(there.cell, {site, there.seen});
-        // Were two lifts of one cell in conflict with q, q and a copy of it would share a neighbour: a
-        // 2-cycle.
-        ensure(!(seen_before && next.conflict && conflict),
-               "no cell of the conflict region occurs twice modulo H");
-        if (!(seen_before && next.conflict)) mark(there, conflict);
-        if (conflict) {
-          region_.push_back(there);
-          continue;
-        }
-      } else if (next.conflict) {
-        continue;
-      }
-      add_boundary_facet(here, k, lift);
-    }
-  }
 }
 
 template <int D>
@@ -160,8 +86,21 @@ void PeriodicDelaunay<D>::star_hole(VertexId q) {
 
 template <int D>
 void PeriodicDelaunay<D>::insert(SiteId site, std::uint32_t rep, const Location& at) {
-  collect_conflicts(site, complex_.subgroup().representative(rep), at);
-  star_hole(complex_.vertex_of(site, rep));
+  const OrbitPoint q{site, complex_.subgroup().representative(rep)};
+  if (!collect_conflicts(q, at)) {
+    const LongLatticeStar<D> star(setting_, complex_, q);
+    replace_by_star(star.cells(), star.conflicts(at.cell));
+    return;
+  }
+  if (!meets_own_copies_) {
+    star_hole(complex_.vertex_of(site, rep));
+    return;
+  }
+  // In a safe cover q and a copy of it cannot share a neighbour: that would be a 2-cycle.
+  ensure(insertion_ == Insertion::without_covers, "no cell of the conflict region occurs twice modulo H");
+  std::vector<CellId> removed;
+  for (const Location& here : region_) removed.push_back(here.cell);
+  replace_by_star(star_among_own_copies(q), std::move(removed));
 }
 
 template <int D>

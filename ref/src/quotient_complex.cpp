@@ -1,6 +1,7 @@
 #include "flatdt/ref/quotient_complex.hpp"
 
 #include <algorithm>
+#include <set>
 
 namespace flatdt::ref {
 
@@ -41,39 +42,35 @@ void QuotientComplex<D>::delete_cell(CellId c) {
 }
 
 template <int D>
-void QuotientComplex<D>::assemble(const std::vector<CellPoints<D>>& cells, Predicates<D>& predicates) {
-  ensure(cells_.empty(), "assemble fills an empty complex");
-  struct FacetOccurrence {
-    std::array<OrbitPoint, D> key;
-    Element multiplier;
-    CellId cell;
-    std::uint32_t facet;
-  };
-  std::vector<FacetOccurrence> facets;
-  facets.reserve(cells.size() * (D + 1));
-  cells_.reserve(cells.size());
-  for (CellPoints<D> points : cells) {
-    std::array<Lift, D + 1> lifts;
-    for (std::size_t k = 0; k <= D; ++k) lifts[k] = lift(points[k]);
-    const Sign sign = predicates.orientation(lifts);
-    ensure(sign != Sign::zero, "a cell is not flat");
-    if (sign == Sign::negative) std::swap(points[0], points[1]);
-    const CellId id = new_cell();
-    for (std::size_t k = 0; k <= D; ++k) {
-      const Subgroup::Split split = subgroup_.split(points[k].g);
-      const VertexId v = vertex_of(points[k].site, split.rep);
-      cell(id).vertex[k] = v;
-      cell(id).offset[k] = split.s;
-      vertex(v).cell = id;
-    }
-    for (std::size_t k = 0; k <= D; ++k) {
-      std::array<OrbitPoint, D> face;
-      for (std::size_t j = 0, i = 0; j <= D; ++j)
-        if (j != k) face[i++] = points[j];
-      const CanonicalFace<D> canonical = canonical_face<D>(*table_, subgroup_, face);
-      facets.push_back({canonical.key, canonical.multiplier, id, static_cast<std::uint32_t>(k)});
-    }
+typename QuotientComplex<D>::FacetOccurrence QuotientComplex<D>::facet(CellId c, std::uint32_t k) const {
+  const CellPoints<D> points = base_points(c);
+  std::array<OrbitPoint, D> face;
+  for (std::size_t j = 0, i = 0; j <= D; ++j)
+    if (j != k) face[i++] = points[j];
+  const CanonicalFace<D> canonical = canonical_face<D>(*table_, subgroup_, face);
+  return {canonical.key, canonical.multiplier, c, k};
+}
+
+template <int D>
+CellId QuotientComplex<D>::add_cell(CellPoints<D> points, Predicates<D>& predicates) {
+  std::array<Lift, D + 1> lifts;
+  for (std::size_t k = 0; k <= D; ++k) lifts[k] = lift(points[k]);
+  const Sign sign = predicates.orientation(lifts);
+  ensure(sign != Sign::zero, "a cell is not flat");
+  if (sign == Sign::negative) std::swap(points[0], points[1]);
+  const CellId id = new_cell();
+  for (std::size_t k = 0; k <= D; ++k) {
+    const Subgroup::Split split = subgroup_.split(points[k].g);
+    const VertexId v = vertex_of(points[k].site, split.rep);
+    cell(id).vertex[k] = v;
+    cell(id).offset[k] = split.s;
+    vertex(v).cell = id;
   }
+  return id;
+}
+
+template <int D>
+void QuotientComplex<D>::glue(std::vector<FacetOccurrence>& facets) {
   std::sort(facets.begin(), facets.end(), [](const FacetOccurrence& a, const FacetOccurrence& b) {
     if (a.key != b.key) return a.key < b.key;
     return a.cell != b.cell ? a.cell < b.cell : a.facet < b.facet;
@@ -91,6 +88,41 @@ void QuotientComplex<D>::assemble(const std::vector<CellPoints<D>>& cells, Predi
     cell(b.cell).neighbour[b.facet] = a.cell;
     cell(b.cell).gluing[b.facet] = table_->inverse(gluing);
   }
+}
+
+template <int D>
+void QuotientComplex<D>::assemble(const std::vector<CellPoints<D>>& cells, Predicates<D>& predicates) {
+  ensure(cells_.empty(), "assemble fills an empty complex");
+  std::vector<FacetOccurrence> facets;
+  facets.reserve(cells.size() * (D + 1));
+  cells_.reserve(cells.size());
+  for (const CellPoints<D>& points : cells) {
+    const CellId id = add_cell(points, predicates);
+    for (std::uint32_t k = 0; k <= D; ++k) facets.push_back(facet(id, k));
+  }
+  glue(facets);
+}
+
+template <int D>
+std::vector<typename QuotientComplex<D>::CellLift> QuotientComplex<D>::star(const OrbitPoint& p) const {
+  const Subgroup::Split split = subgroup_.split(p.g);
+  const VertexId v = vertex_of(p.site, split.rep);
+  const CellId first = vertex(v).cell;
+  std::size_t k = 0;
+  while (cell(first).vertex[k] != v) ++k;
+  std::vector<CellLift> found{{first, table_->multiply(split.s, table_->inverse(cell(first).offset[k]))}};
+  std::set<CellLift> known(found.begin(), found.end());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const CellLift here = found[i];
+    const CellPoints<D> lifts = points(here);
+    for (std::size_t j = 0; j <= D; ++j) {
+      if (lifts[j] == p) continue;
+      const CellLift next{cell(here.cell).neighbour[j],
+                          table_->multiply(here.lift, cell(here.cell).gluing[j])};
+      if (known.insert(next).second) found.push_back(next);
+    }
+  }
+  return found;
 }
 
 template <int D>

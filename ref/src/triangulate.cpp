@@ -143,11 +143,15 @@ class Run {
     TriangulationResult result;
     result.distinct_points = sites_.size();
     result.delta_squared = frame_.delta_squared;
-    result.working_cover = options_.cover == CoverChoice::theorem10
-                               ? theorem10_cover(frame_, options_.max_sheets)
-                               : one_at_a_time_cover(frame_, options_.max_sheets);
-    const Subgroup cover = Subgroup::sublattice(table_, result.working_cover);
-    DelaunayHierarchy<D> hierarchy({&frame_, &table_, &sites_, &order_, &predicates_, &circumradius_}, cover);
+    if (options_.insertion == Insertion::covering)
+      result.working_cover = options_.cover == CoverChoice::theorem10
+                                 ? theorem10_cover(frame_, options_.max_sheets)
+                                 : one_at_a_time_cover(frame_, options_.max_sheets);
+    const Subgroup worked_in = result.working_cover ? Subgroup::sublattice(table_, *result.working_cover)
+                                                    : order_.invariance_group();
+    DelaunayHierarchy<D> hierarchy(
+        {&frame_, &table_, &sites_, &order_, &predicates_, &circumradius_, options_.region_limit}, worked_in,
+        options_.insertion);
     Random random(options_.order_seed);
     for (const SiteId site : random_order(sites_.size(), random))
       hierarchy.insert_orbit(site, std::min(random_level(random), hierarchy.levels()));

@@ -44,10 +44,12 @@ std::string bytes(const Instance& instance, const TriangulationOptions& options 
 /// different ways.
 std::multiset<std::string> stars(const Instance& instance, const Triangulation& t) {
   std::multiset<std::string> result;
+  std::vector<Isometry> inverses;
+  for (const Isometry& g : t.elements) inverses.push_back(g.inverse());
   for (const auto& cell : t.cells) {
     for (int k = 0; k <= t.dimension; ++k) {
       const auto& pivot = cell[static_cast<std::size_t>(k)];
-      const Isometry back = t.elements[pivot.element].inverse();
+      const Isometry& back = inverses[pivot.element];
       std::vector<Vector> positions;
       for (int j = 0; j <= t.dimension; ++j) {
         const auto& v = cell[static_cast<std::size_t>(j)];
@@ -68,6 +70,9 @@ TEST(Triangulate, BytesDoNotDependOnOrderCoverOrStage) {
     for (const char* family : {"uniform", "grid"}) {
       const Instance instance = make(entry.name, family, entry.dimension == 2 ? 12 : 3, seed++);
       const std::string expected = bytes(instance);
+      TriangulationOptions covering;
+      covering.insertion = Insertion::covering;
+      EXPECT_EQ(bytes(instance, covering), expected) << entry.name << " " << family;
       for (const std::uint64_t order : {1U, 2U}) {
         TriangulationOptions options;
         options.order_seed = order;
@@ -77,6 +82,7 @@ TEST(Triangulate, BytesDoNotDependOnOrderCoverOrStage) {
       exact.stages = PredicateStages::exact_only;
       EXPECT_EQ(bytes(instance, exact), expected) << entry.name << " " << family;
       TriangulationOptions theorem10;
+      theorem10.insertion = Insertion::covering;
       theorem10.cover = CoverChoice::theorem10;
       if (entry.holonomy_order <= 2) {
         EXPECT_EQ(bytes(instance, theorem10), expected) << entry.name << " " << family;
@@ -106,12 +112,14 @@ TEST(Triangulate, DoesNotDependOnRepresentativesOrFileOrder) {
       for (auto& cell : back.cells)
         for (int k = 0; k <= entry.dimension; ++k) {
           auto& v = cell[static_cast<std::size_t>(k)];
-          Isometry e = back.elements[v.element];
-          if (v.point == 0) e = e * g * h;
-          if (v.point == 1) e = e * h.inverse() * g.inverse();
-          v.element = static_cast<std::uint32_t>(elements.size());
-          elements.push_back(e);
+          // Element 3 e + i of the new list is for point i.
+          v.element = 3 * v.element + v.point;
         }
+      for (const Isometry& e : back.elements) {
+        elements.push_back(e * g * h);
+        elements.push_back(e * h.inverse() * g.inverse());
+        elements.push_back(e);
+      }
       back.elements = elements;
       EXPECT_EQ(stars(instance, back), stars(instance, expected.triangulation))
           << entry.name << " " << family;
@@ -157,7 +165,11 @@ TEST(Triangulate, InstancesThatSeparateRightFromWrong) {
       {"t3-halfgrid", 27, Kind::two_cycle, false},  // Delta < delta, but 2-cycles
   };
   for (const Outcome& outcome : outcomes) {
-    const TriangulationResult result = solve(load(outcome.name));
+    TriangulationOptions covering;
+    covering.insertion = Insertion::covering;
+    const TriangulationResult result = solve(load(outcome.name), covering);
+    EXPECT_EQ(bytes(load(outcome.name)), write_triangulation(result.triangulation, describe(result)))
+        << outcome.name << ": the engines differ";
     EXPECT_EQ(result.sheets, outcome.sheets) << outcome.name;
     EXPECT_EQ(result.switched_after.has_value(), outcome.switched) << outcome.name;
     ASSERT_EQ(result.reason.has_value(), outcome.reason.has_value()) << outcome.name;
@@ -203,6 +215,7 @@ TEST(Triangulate, TheReasonIsAWitness) {
 
 TEST(Triangulate, TooManySheetsIsALimitThatSaysSo) {
   TriangulationOptions options;
+  options.insertion = Insertion::covering;
   options.max_sheets = 10;
   try {
     static_cast<void>(solve(make("hexacosm", "uniform", 2, 1), options));
@@ -287,7 +300,9 @@ TEST(LargeCells, TheListIsExact) {
 TEST(Hierarchy, ManyPointsOfThePlanarManifolds) {
   for (const char* manifold : {"torus", "klein-bottle"}) {
     const Instance instance = make(manifold, "uniform", 2000, 4);
-    const TriangulationResult result = solve(instance);
+    TriangulationOptions options;
+    options.insertion = Insertion::covering;
+    const TriangulationResult result = solve(instance, options);
     EXPECT_GE(result.hierarchy_levels, 2U);
     EXPECT_EQ(result.sheets, 1);
     ASSERT_TRUE(result.switched_after.has_value());

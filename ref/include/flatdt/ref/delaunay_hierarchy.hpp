@@ -15,7 +15,10 @@ namespace flatdt::ref {
 template <int D>
 class DelaunayHierarchy {
  public:
-  DelaunayHierarchy(const Setting<D>& setting, const Subgroup& cover) : setting_(setting), cover_(cover) {}
+  /// `cover`: the sublattice of the covering phase, or the tie order's invariance group without covers.
+  DelaunayHierarchy(const Setting<D>& setting, const Subgroup& cover,
+                    Insertion insertion = Insertion::covering)
+      : setting_(setting), cover_(cover), insertion_(insertion) {}
 
   /// Inserts an orbit into the levels 0 .. top (a new level is made for top == number of levels): all its
   /// copies, one by one, where the level is still in the cover, else once. L is consulted after the whole
@@ -35,6 +38,7 @@ class DelaunayHierarchy {
 
   Setting<D> setting_;
   Subgroup cover_;
+  Insertion insertion_;
   std::vector<PeriodicDelaunay<D>> levels_;
   std::size_t orbits_ = 0;
   std::optional<std::size_t> switched_after_;

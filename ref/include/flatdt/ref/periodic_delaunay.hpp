@@ -1,5 +1,6 @@
-/// An incremental Delaunay triangulation of E^d/H (Section 4): H a sublattice while covering, then the whole
-/// group G. Role: one level of the Delaunay hierarchy. It locates points, finds conflict regions over lifts,
+/// An incremental Delaunay triangulation of E^d/H: H a sublattice while covering (Section 4) and then the
+/// whole group G, or G from the first point on (insertion without covers; docs/theory.md, section 7).
+/// Role: one level of the Delaunay hierarchy. It locates points, finds conflict regions over lifts,
 /// stars the hole, and keeps the list L of cells whose empty ball is too large for Corollary 9.
 #pragma once
 
@@ -11,6 +12,8 @@
 
 namespace flatdt::ref {
 
+inline constexpr std::size_t kRegionLimit = 1000;
+
 /// Everything the levels share.
 template <int D>
 struct Setting {
@@ -20,6 +23,10 @@ struct Setting {
   const TieOrder* order;
   Predicates<D>* predicates;
   Circumradius<D>* circumradius;
+  /// Without covers, a conflict region of more lifts than this and than four times the cells is not searched: the
+  /// star of the point is found from its own copies instead, at a cost that does not depend on the metric.
+  /// 0: always (tests do). At canonical metrics regions have at most 77 lifts (INSERTION 5).
+  std::size_t region_limit = kRegionLimit;
 };
 
 /// A cell and the query point seen from its base lift.
@@ -28,10 +35,18 @@ struct Location {
   Element seen;  // seen * site is the query in the coordinates of the cell's base lift
 };
 
+/// How orbits are inserted.
+enum class Insertion : std::uint8_t {
+  covering,       // Section 4: all copies modulo a sublattice until Corollary 9 is met
+  without_covers  // modulo the tie order's invariance group from the first point on
+};
+
 template <int D>
 class PeriodicDelaunay {
  public:
-  PeriodicDelaunay(const Setting<D>& setting, const Subgroup& subgroup);
+  /// Requires for without_covers: `subgroup` is the tie order's invariance group.
+  PeriodicDelaunay(const Setting<D>& setting, const Subgroup& subgroup,
+                   Insertion insertion = Insertion::covering);
 
   /// The first orbit, as a block: cells modulo the tie order's invariance group.
   void start(SiteId site, const std::vector<CellPoints<D>>& cells);
@@ -52,8 +67,9 @@ class PeriodicDelaunay {
   [[nodiscard]] OrbitPoint nearest_vertex(SiteId site, const Element& query, const Location& at) const;
 
   /// Inserts copy `rep` of a site (Section 4.2). add_site must have been called for its orbit.
-  /// Precondition of the algorithm: the result is a simplicial complex modulo H; asserted through "no cell of
-  /// the conflict region occurs twice modulo H".
+  /// Where copies of the point may be neighbours, that is where a lift of a cell of the conflict region is in
+  /// the region again or next to it, the star is computed among its own copies first (docs/theory.md, section
+  /// 7). In a cover that is safe in the sense of cover.hpp this cannot happen: then it is an InternalError.
   void insert(SiteId site, std::uint32_t rep, const Location& at);
   void add_site(SiteId site) { complex_.add_site(site); }
 
@@ -78,20 +94,36 @@ class PeriodicDelaunay {
     CellId cell;
     std::uint32_t facet;
   };
+  /// A lift of a cell met by a search: from it the query point is seen at `seen`.
+  struct Visit {
+    Element seen;
+    bool conflict;
+    std::uint32_t next;  // of the same cell
+  };
+  static constexpr std::uint32_t kNoVisit = 0xffffffffU;
 
-  void collect_conflicts(SiteId site, const Element& base, const Location& at);
+  /// Whether the whole region has been found.
+  [[nodiscard]] bool collect_conflicts(const OrbitPoint& q, const Location& at);
+  [[nodiscard]] const Visit* find_visit(const Location& where) const;
+  void record_visit(const Location& where, bool conflict);
   [[nodiscard]] bool in_conflict(CellId c, const OrbitPoint& seen) const;
   void add_boundary_facet(const Location& inside, std::uint32_t facet, const Element& lift);
   void star_hole(VertexId q);
+  [[nodiscard]] std::vector<Lift> possible_own_neighbours(const OrbitPoint& q) const;
+  [[nodiscard]] std::vector<CellPoints<D>> star_among_own_copies(const OrbitPoint& q) const;
+  void replace_by_star(const std::vector<CellPoints<D>>& star, std::vector<CellId> removed);
   void note_new(CellId c);
   void note_deleted(CellId c);
 
   Setting<D> setting_;
+  Insertion insertion_;
   QuotientComplex<D> complex_;
   std::size_t large_cells_ = 0;
   std::uint32_t visit_ = 0;
   std::uint64_t walk_state_ = 0x9e3779b97f4a7c15ULL;
   // Kept between insertions.
+  std::vector<Visit> visits_;
+  bool meets_own_copies_ = false;
   std::vector<Location> region_;
   std::vector<BoundaryFacet> boundary_;
   std::vector<Ridge> ridges_;

@@ -44,10 +44,9 @@ class QuotientComplex {
     std::array<CellId, D + 1> neighbour;
     std::array<Element, D + 1> gluing;  // in H
     bool alive = false;
-    bool large = false;  // belongs to the list L (Section 4.1)
-    std::uint32_t visit = 0;
-    bool conflict = false;
-    Element visit_lift;
+    bool large = false;             // belongs to the list L (Section 4.1)
+    std::uint32_t visit = 0;        // the search that last met this cell,
+    std::uint32_t first_visit = 0;  // and where its list of the lifts met starts
   };
 
   QuotientComplex(const GroupTable& table, const std::vector<Site>& sites, Subgroup subgroup)
@@ -100,9 +99,37 @@ class QuotientComplex {
     return points;
   }
 
-  /// Fills an empty complex with cells given by lifts (one per H-orbit, vertices in any order), all of whose
-  /// sites have been added, and finds the adjacency by facet keys. Errors: InternalError if a cell is flat or
-  /// a facet modulo H does not occur exactly twice. Complexity: O(n log n) for n cells.
+  /// A lift of a cell: `lift` times its base lift.
+  struct CellLift {
+    CellId cell;
+    Element lift;
+    friend auto operator<=>(const CellLift&, const CellLift&) = default;
+  };
+  /// The star of a point p of GP that is a vertex: all lifts of cells with p among their vertices.
+  /// Complexity: O(k log k) for k cells.
+  [[nodiscard]] std::vector<CellLift> star(const OrbitPoint& p) const;
+  [[nodiscard]] CellPoints<D> points(const CellLift& at) const {
+    return moved<D + 1>(*table_, at.lift, base_points(at.cell));
+  }
+
+  /// A facet of a cell with its canonical key: multiplier * facet = key.
+  struct FacetOccurrence {
+    std::array<OrbitPoint, D> key;
+    Element multiplier;
+    CellId cell;
+    std::uint32_t facet;
+  };
+  [[nodiscard]] FacetOccurrence facet(CellId c, std::uint32_t k) const;
+
+  /// Adds a cell given by a lift, vertices in any order, all of whose sites have been added; it has no
+  /// neighbours yet. Errors: InternalError if it is flat.
+  CellId add_cell(CellPoints<D> points, Predicates<D>& predicates);
+  /// Makes the cells of equal facets neighbours. Errors: InternalError if a key does not occur exactly twice.
+  /// Complexity: O(n log n) for n facets, which are sorted.
+  void glue(std::vector<FacetOccurrence>& facets);
+
+  /// Fills an empty complex with cells given by lifts (one per H-orbit) as add_cell has them, and finds the
+  /// adjacency by facet keys.
   void assemble(const std::vector<CellPoints<D>>& cells, Predicates<D>& predicates);
 
   /// The base lifts of all cells.

@@ -9,7 +9,7 @@
 #include "flatdt/ref/cover.hpp"
 #include "flatdt/ref/group_analysis.hpp"
 #include "flatdt/ref/instance.hpp"
-#include "flatdt/ref/predicates.hpp"
+#include "flatdt/ref/periodic_delaunay.hpp"
 #include "flatdt/ref/triangulation_format.hpp"
 
 namespace flatdt::ref {
@@ -17,12 +17,15 @@ namespace flatdt::ref {
 enum class CoverChoice : std::uint8_t { smallest, theorem10 };
 
 struct TriangulationOptions {
-  /// The cover that copies are inserted in.
+  Insertion insertion = Insertion::without_covers;
+  /// The cover that copies are inserted in, by the covering engine.
   CoverChoice cover = CoverChoice::smallest;
   /// Seed of the insertion order and of the hierarchy's levels. The triangulation does not depend on it.
   std::uint64_t order_seed = 0;
   long max_sheets = 20000;
   PredicateStages stages = PredicateStages::filtered;
+  /// See Setting::region_limit.
+  std::size_t region_limit = kRegionLimit;
 };
 
 /// Why the answer is a triangulation of a cover, in the instance's points and coordinates.
@@ -44,8 +47,8 @@ struct TriangulationResult {
   std::size_t distinct_points = 0;
   /// Sheets of the cover that is written; 1 for the manifold.
   long sheets = 1;
-  /// Sheets and index in the translation lattice of the cover that was worked in.
-  Sublattice working_cover;
+  /// Sheets and index in the translation lattice of the cover that was worked in; nothing without covers.
+  std::optional<Sublattice> working_cover;
   /// After how many orbits the list L was empty and the algorithm went on in the manifold, if ever.
   std::optional<std::size_t> switched_after;
   std::size_t hierarchy_levels = 0;

@@ -1,0 +1,176 @@
+#include "long_lattice_star.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "flatdt/ref/first_orbit.hpp"
+#include "flatdt/ref/orbit_position.hpp"
+
+namespace flatdt::ref {
+
+template <int D>
+LongLatticeStar<D>::LongLatticeStar(const Setting<D>& setting, const QuotientComplex<D>& complex,
+                                    const OrbitPoint& q)
+    : setting_(setting),
+      complex_(&complex),
+      inverse_gram_(setting.frame->gram.inverse()),
+      star_(complex.lift(q), *setting.predicates) {
+  for (const CellPoints<D>& points : star_in_own_orbit<D>(*setting.frame, *setting.table, *setting.sites,
+                                                          *setting.predicates, complex.subgroup(), q)) {
+    std::array<Lift, D + 1> lifts;
+    for (std::size_t k = 0; k <= D; ++k) lifts[k] = complex.lift(points[k]);
+    star_.add(lifts);
+  }
+  // Bounded: each insertion makes a further point of GP a neighbour of q, within q + 2V, where V is the
+  // Voronoi cell of the lattice.
+  for (std::size_t i = 0; i < star_.cells().size();) {
+    if (star_.cells()[i].certified) {
+      ++i;
+      continue;
+    }
+    if (const auto vertex = conflicting_vertex(star_.cells()[i])) {
+      ensure(star_.insert(*vertex), "a vertex in conflict with a cell of the star changes the star");
+      i = 0;
+    } else {
+      star_.cells()[i].certified = true;
+    }
+  }
+}
+
+template <int D>
+Vector LongLatticeStar<D>::circumcentre(const std::array<Lift, D + 1>& cell) const {
+  // With rows a_k = p_k - p_0: 2 A G (c - p_0) = (|a_k|^2).
+  const Vector origin = position(*setting_.table, *setting_.sites, cell[0].point);
+  Matrix rows(D);
+  Vector right(D);
+  for (int k = 0; k < D; ++k) {
+    const Vector a =
+        position(*setting_.table, *setting_.sites, cell[static_cast<std::size_t>(k) + 1].point) - origin;
+    for (int j = 0; j < D; ++j) rows(k, j) = a[j];
+    right[k] = squared_length(setting_.frame->gram, a);
+  }
+  return origin + Rational(Integer(1), Integer(2)) * (inverse_gram_ * (rows.inverse() * right));
+}
+
+template <int D>
+Rational LongLatticeStar<D>::squared_distance(const Vector& centre, const OrbitPoint& p) const {
+  return squared_length(setting_.frame->gram, position(*setting_.table, *setting_.sites, p) - centre);
+}
+
+template <int D>
+std::vector<OrbitPoint> LongLatticeStar<D>::neighbours(const OrbitPoint& p) const {
+  std::vector<OrbitPoint> found;
+  for (const auto& at : complex_->star(p))
+    for (const OrbitPoint& other : complex_->points(at))
+      if (other != p) found.push_back(other);
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+/// The translate of the first vertex whose coordinates differ from those of x by at most 1/2.
+template <int D>
+OrbitPoint LongLatticeStar<D>::vertex_near(const Vector& x) const {
+  const OrbitPoint& first = complex_->vertex(VertexId{0}).point;
+  Vector steps = x - position(*setting_.table, *setting_.sites, first);
+  for (int i = 0; i < D; ++i) steps[i] = Rational(round_half_up(steps[i]));
+  return {first.site, setting_.table->multiply(setting_.table->element(Isometry::translate(steps)), first.g)};
+}
+
+/// A vertex of GP in conflict with the cell, if there is one.
+/// A vertex of a Delaunay triangulation that is not nearest to a point c has a neighbour nearer to c; so the
+/// walk ends at a nearest vertex, and the others that are as near form one Delaunay face with it, so that
+/// they are found along edges.
+template <int D>
+std::optional<Lift> LongLatticeStar<D>::conflicting_vertex(const typename LiftedStar<D>::Cell& cell) const {
+  const Vector centre = circumcentre(cell.lifts);
+  const Rational radius = squared_distance(centre, cell.lifts[0].point);
+  OrbitPoint nearest = vertex_near(centre);
+  Rational distance = squared_distance(centre, nearest);
+  for (bool nearer = true; nearer;) {
+    nearer = false;
+    for (const OrbitPoint& p : neighbours(nearest)) {
+      const Rational d = squared_distance(centre, p);
+      if (d >= distance) continue;
+      nearest = p;
+      distance = d;
+      nearer = true;
+    }
+  }
+  if (distance < radius) return complex_->lift(nearest);
+  if (distance > radius) return std::nullopt;
+  std::vector<OrbitPoint> equals{nearest};
+  std::set<OrbitPoint> known{nearest};
+  for (std::size_t i = 0; i < equals.size(); ++i) {
+    const Lift lift = complex_->lift(equals[i]);
+    const bool is_vertex = std::any_of(cell.lifts.begin(), cell.lifts.end(),
+                                       [&](const Lift& v) { return v.point == lift.point; });
+    if (!is_vertex && setting_.predicates->conflict_sos(cell.lifts, lift)) return lift;
+    for (const OrbitPoint& p : neighbours(equals[i]))
+      if (squared_distance(centre, p) == distance && known.insert(p).second) equals.push_back(p);
+  }
+  return std::nullopt;
+}
+
+/// The stars of all copies of q fill the union of the cells in conflict with some copy. A facet without
+/// copies of q on the boundary of a star is a facet of the old triangulation too, and the other facets of
+/// cells in conflict are not facets of the new one. So flood from the located cell and from the cell on q's
+/// side of each such facet, never crossing one; every part of the union has a cell to start from.
+template <int D>
+std::vector<CellId> LongLatticeStar<D>::conflicts(CellId located) const {
+  const GroupTable& table = *setting_.table;
+  const Subgroup& subgroup = complex_->subgroup();
+  const OrbitPoint& q = star_.centre().point;
+  const auto is_copy = [&](const OrbitPoint& p) {
+    return p.site == q.site && subgroup.split(p.g).rep == subgroup.split(q.g).rep;
+  };
+  std::vector<CellId> open{located};
+  std::set<std::array<OrbitPoint, D>> walls;
+  for (const auto& cell : star_.cells()) {
+    std::array<OrbitPoint, D> facet;
+    std::size_t count = 0;
+    std::size_t apex = 0;
+    for (std::size_t k = 0; k <= D; ++k)
+      if (cell.lifts[k].point == q)
+        apex = k;
+      else if (!is_copy(cell.lifts[k].point))
+        facet[count++] = cell.lifts[k].point;
+    if (count != D) continue;
+    walls.insert(canonical_face<D>(table, subgroup, facet).key);
+    // Of the two old cells at the facet, the one on q's side.
+    std::size_t cells_there = 0;
+    for (const auto& at : complex_->star(facet[0])) {
+      const CellPoints<D> points = complex_->points(at);
+      std::size_t shared = 0;
+      OrbitPoint opposite{};
+      for (const OrbitPoint& p : points)
+        if (std::find(facet.begin(), facet.end(), p) != facet.end())
+          ++shared;
+        else
+          opposite = p;
+      if (shared != D) continue;
+      ++cells_there;
+      std::array<Lift, D + 1> replaced = cell.lifts;
+      replaced[apex] = complex_->lift(opposite);
+      if (setting_.predicates->orientation(replaced) == Sign::positive) open.push_back(at.cell);
+    }
+    ensure(cells_there == 2, "a facet of the star without copies of its centre is a facet of two old cells");
+  }
+  std::set<CellId> found(open.begin(), open.end());
+  open.assign(found.begin(), found.end());
+  while (!open.empty()) {
+    const CellId c = open.back();
+    open.pop_back();
+    for (std::uint32_t k = 0; k <= D; ++k) {
+      const CellId next = complex_->cell(c).neighbour[k];
+      if (walls.count(complex_->facet(c, k).key) != 0) continue;
+      if (found.insert(next).second) open.push_back(next);
+    }
+  }
+  return {found.begin(), found.end()};
+}
+
+template class LongLatticeStar<2>;
+template class LongLatticeStar<3>;
+
+}  // namespace flatdt::ref

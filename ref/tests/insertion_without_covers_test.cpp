@@ -1,0 +1,100 @@
+/// Insertion without covers (docs/theory.md, section 7) against the covering engine, whose answer is a
+/// function of the instance too: the same bytes, whichever way the star of a new point is found.
+#include <gtest/gtest.h>
+
+#include "flatdt/ref/families.hpp"
+#include "flatdt/ref/instance_format.hpp"
+#include "flatdt/ref/triangulate.hpp"
+
+namespace flatdt::ref {
+namespace {
+
+std::string bytes(const Instance& instance, Insertion insertion, std::size_t region_limit = kRegionLimit) {
+  TriangulationOptions options;
+  options.insertion = insertion;
+  options.region_limit = region_limit;
+  const TriangulationResult result = triangulate(instance, analyse(instance), options);
+  EXPECT_EQ(result.working_cover.has_value(), insertion == Insertion::covering);
+  return write_triangulation(result.triangulation, describe(result));
+}
+
+class EveryManifold : public testing::TestWithParam<std::string> {};
+
+TEST_P(EveryManifold, TheEnginesAgree) {
+  const CatalogueEntry& entry = *find_entry(GetParam());
+  const std::vector<long> sizes =
+      entry.dimension == 2 ? std::vector<long>{1, 2, 3, 5, 9, 20} : std::vector<long>{1, 2, 4};
+  std::uint64_t seed = 17;
+  for (const char* family : {"uniform", "grid", "cospherical", "on-axis", "nearly-duplicate"})
+    for (const long n : sizes) {
+      ++seed;
+      const Instance instance =
+          generate(entry, entry.name, family, n, seed, seed % 2 == 0 ? "canonical" : "random");
+      const std::string searched = bytes(instance, Insertion::without_covers);
+      EXPECT_EQ(searched, bytes(instance, Insertion::without_covers, 0))
+          << "long-lattice form: " << entry.name << " " << family << " " << n << "\n"
+          << write_instance(instance);
+      // In space covers of many sheets are slow: one family, and triangulate_test has two more.
+      if (entry.dimension == 3 && (n != 2 || std::string_view(family) != "cospherical")) continue;
+      EXPECT_EQ(searched, bytes(instance, Insertion::covering))
+          << "covering: " << entry.name << " " << family << " " << n << "\n"
+          << write_instance(instance);
+    }
+}
+
+std::vector<std::string> names() {
+  std::vector<std::string> result;
+  for (const CatalogueEntry& entry : catalogue()) result.push_back(entry.name);
+  return result;
+}
+INSTANTIATE_TEST_SUITE_P(Catalogue, EveryManifold, testing::ValuesIn(names()), [](const auto& tested) {
+  std::string name = tested.param;
+  for (char& c : name)
+    if (c == '-') c = '_';
+  return name;
+});
+
+/// The regions of the second point and its copies only touch, and overlaps alone would give a tiling that is
+/// not Delaunay (INSERTION 3).
+TEST(OwnCopies, RegionsThatOnlyTouch) {
+  const Instance instance = parse_instance(
+      "flatdt-instance 1\ndimension 2\nmanifold torus\nmetric 1 1/5 1\npoints 2\n0 0\n3/5 3/10\n", "touch");
+  EXPECT_EQ(bytes(instance, Insertion::without_covers), bytes(instance, Insertion::covering));
+  EXPECT_EQ(bytes(instance, Insertion::without_covers, 0), bytes(instance, Insertion::covering));
+}
+
+/// An aspect ratio that no cover of copies inserted one at a time could hold, and regions of millions of
+/// lifts.
+TEST(LongLattices, AreNoLimit) {
+  for (const char* metric : {"1 0 0 1 0 1000000000000", "1 0 0 1000000 0 1000000000000",
+                             "1 1/3 1/7 1000001/7 5/9 999999999999/11"}) {
+    const Instance instance =
+        parse_instance("flatdt-instance 1\ndimension 3\nmanifold torocosm\nmetric " + std::string(metric) +
+                           "\npoints 4\n1/10 1/5 1/3\n3/4 3/8 1/5\n2/5 9/10 7/10\n1/3 1/7 1/9\n",
+                       "long");
+    TriangulationOptions options;
+    options.order_seed = 1;
+    const TriangulationResult one = triangulate(instance, analyse(instance), options);
+    options.order_seed = 2;
+    options.region_limit = 0;
+    const TriangulationResult other = triangulate(instance, analyse(instance), options);
+    EXPECT_EQ(write_triangulation(one.triangulation, describe(one)),
+              write_triangulation(other.triangulation, describe(other)))
+        << metric;
+  }
+}
+
+/// On lattices 1:6 a cover still fits: all three ways agree.
+TEST(LongLattices, AgreeWithTheCoveringEngine) {
+  const Instance tall = parse_instance(
+      "flatdt-instance 1\ndimension 3\nmanifold torocosm\nmetric 1 0 0 1 0 36\npoints 3\n0 0 0\n1/2 1/3 "
+      "1/5\n"
+      "1/7 1/2 3/4\n",
+      "tall");
+  const std::string covering = bytes(tall, Insertion::covering);
+  EXPECT_EQ(bytes(tall, Insertion::without_covers), covering);
+  EXPECT_EQ(bytes(tall, Insertion::without_covers, 0), covering);
+}
+
+}  // namespace
+}  // namespace flatdt::ref
