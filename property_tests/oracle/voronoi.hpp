@@ -8,25 +8,12 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "flatdt/checker/input.hpp"
+#include "oracle/orbit_points.hpp"
 
 namespace flatdt::oracle {
-
-using checker::Rational;
-using checker::Seitz;
-/// A column vector in the coordinates of the instance; the first d entries count, the others are 0.
-using Vector = checker::Vec<Rational>;
-
-/// A point of GP: position = element * points[point].
-struct OrbitPoint {
-  std::size_t point = 0;  ///< index into Instance::points, the least of its orbit
-  Seitz element;          ///< in G; unique, since G acts freely
-  Vector position;
-};
 
 /// A cell of the Delaunay tessellation, given by its circumscribed ball.
 struct DelaunayCell {
