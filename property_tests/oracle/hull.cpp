@@ -43,12 +43,20 @@ std::map<std::vector<std::size_t>, Vector> facets(const std::vector<Vector>& poi
   return found;
 }
 
-/// The point without the coordinate `dropped`.
-Vector without(const Vector& v, std::size_t dropped) {
-  Vector result{};
-  for (std::size_t i = 0, k = 0; i < v.size(); ++i)
-    if (i != dropped) result[k++] = v[i];
-  return result;
+/// The points of a facet in one dimension less: a coordinate in which the normal is not zero can be dropped, since the
+/// projection is injective on the facet.
+std::vector<Vector> flattened(const std::vector<Vector>& points, const std::vector<std::size_t>& facet,
+                              const Vector& normal) {
+  const auto dropped = static_cast<std::size_t>(
+      std::find_if(normal.begin(), normal.end(), [](const Rational& x) { return x != 0; }) - normal.begin());
+  std::vector<Vector> flat;
+  for (const std::size_t i : facet) {
+    Vector v{};
+    for (std::size_t from = 0, to = 0; from < v.size(); ++from)
+      if (from != dropped) v[to++] = points[i][from];
+    flat.push_back(v);
+  }
+  return flat;
 }
 
 }  // namespace
@@ -58,19 +66,22 @@ std::vector<std::vector<std::size_t>> pulled_triangulation(const std::vector<Vec
   std::vector<std::vector<std::size_t>> simplices;
   for (const auto& [facet, normal] : facets(points, dimension)) {
     if (facet.front() == 0) continue;
-    // A coordinate in which the normal is not zero can be dropped: the projection is injective on the facet.
-    const auto dropped = static_cast<std::size_t>(
-        std::find_if(normal.begin(), normal.end(), [](const Rational& x) { return x != 0; }) -
-        normal.begin());
-    std::vector<Vector> flat;
-    for (const std::size_t i : facet) flat.push_back(without(points[i], dropped));
-    for (const std::vector<std::size_t>& base : pulled_triangulation(flat, dimension - 1)) {
+    for (const std::vector<std::size_t>& base : pulled_triangulation(flattened(points, facet, normal), dimension - 1)) {
       std::vector<std::size_t> simplex{0};
       for (const std::size_t i : base) simplex.push_back(facet[i]);
       simplices.push_back(std::move(simplex));
     }
   }
   return simplices;
+}
+
+std::set<std::pair<std::size_t, std::size_t>> hull_edges(const std::vector<Vector>& points, int dimension) {
+  if (dimension == 1) return {{0, 1}};
+  std::set<std::pair<std::size_t, std::size_t>> edges;
+  for (const auto& [facet, normal] : facets(points, dimension))
+    for (const auto& [a, b] : hull_edges(flattened(points, facet, normal), dimension - 1))
+      edges.emplace(facet[a], facet[b]);
+  return edges;
 }
 
 Rational hull_volume(const std::vector<Vector>& points, int dimension) {

@@ -4,7 +4,6 @@
 #include <map>
 #include <set>
 #include <stdexcept>
-#include <tuple>
 #include <utility>
 
 #include "oracle/hull.hpp"
@@ -70,6 +69,29 @@ std::vector<Vector> positions(const std::vector<OrbitPoint>& points) {
   return result;
 }
 
+/// Edges modulo G.
+class Edges {
+ public:
+  void add(const OrbitPoint& a, const OrbitPoint& b, int dimension) {
+    if (a.point == b.point) {
+      loop_ = true;
+      return;
+    }
+    const auto& [first, second] = std::minmax(a, b, [](const auto& x, const auto& y) { return x.point < y.point; });
+    const Seitz way = composed(inverse(first.element, dimension), second.element);
+    ways_[{first.point, second.point}].insert({way.linear, way.translation});
+  }
+  /// No loop and no two edges modulo G with the same ends.
+  [[nodiscard]] bool are_simple() const {
+    return !loop_ && std::all_of(ways_.begin(), ways_.end(), [](const auto& w) { return w.second.size() == 1; });
+  }
+
+ private:
+  bool loop_ = false;
+  /// For the edge {g p_i, h p_j}, i < j, the element g^-1 h: it determines the edge modulo G, and the reverse.
+  std::map<std::pair<std::size_t, std::size_t>, std::set<std::pair<Matrix, Vector>>> ways_;
+};
+
 }  // namespace
 
 bool Tessellation::has_ties() const {
@@ -106,34 +128,13 @@ Tessellation delaunay_tessellation(const checker::Instance& instance) {
 }
 
 Existence carries_triangulation(const Tessellation& tessellation) {
-  using Ends = std::pair<std::size_t, std::size_t>;
-  using Way = std::pair<Matrix, Vector>;  // an element of G; of the edge {g i, h j} with i < j it is g^-1 h
-  struct Edges {
-    bool loop = false;
-    std::map<Ends, std::set<Way>> ways;
-    /// No loop and no two edges modulo G with the same ends: for i < j the way determines the edge modulo G.
-    [[nodiscard]] bool are_simple() const {
-      return !loop &&
-             std::all_of(ways.begin(), ways.end(), [](const auto& w) { return w.second.size() == 1; });
-    }
-  };
-  Edges forced;    // those of cells that are simplices
+  Edges forced;    // those of the cells, which are in all triangulations
   Edges possible;  // all pairs of points of one cell
-  const auto corners = static_cast<std::size_t>(tessellation.dimension) + 1;
+  const int d = tessellation.dimension;
   for (const DelaunayCell& cell : tessellation.cells) {
-    for (const OrbitPoint& a : cell.points) {
-      for (const OrbitPoint& b : cell.points) {
-        if (a.position == b.position || a.point > b.point) continue;
-        const Seitz way = composed(inverse(a.element, tessellation.dimension), b.element);
-        for (Edges* edges : {&forced, &possible}) {
-          if (edges == &forced && cell.points.size() != corners) continue;
-          if (a.point == b.point)
-            edges->loop = true;
-          else
-            edges->ways[{a.point, b.point}].insert({way.linear, way.translation});
-        }
-      }
-    }
+    for (const auto& [a, b] : hull_edges(positions(cell.points), d)) forced.add(cell.points[a], cell.points[b], d);
+    for (std::size_t b = 0; b < cell.points.size(); ++b)
+      for (std::size_t a = 0; a < b; ++a) possible.add(cell.points[a], cell.points[b], d);
   }
   if (!forced.are_simple()) return Existence::no;
   return possible.are_simple() ? Existence::yes : Existence::depends_on_ties;
