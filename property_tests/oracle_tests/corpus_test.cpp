@@ -1,7 +1,6 @@
 /// The naive checker, flatdt::checker and the records agree on every condition of the files of corpora.
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <iostream>
 #include <map>
 #include <set>
@@ -70,12 +69,8 @@ TEST(NaiveChecker, AgreesOnTheCorpora) {
         continue;
       }
       const bool is_small = triangulation.cells.size() <= kMaxCellsOfDefinitions;
-      const auto start = std::chrono::steady_clock::now();
       const Report report =
           naive_check(instance, triangulation, is_small ? Depth::definitions : Depth::conditions);
-      if (std::getenv("FLATDT_TIMES") != nullptr)
-        std::cout << std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() << " s, "
-                  << triangulation.cells.size() << " cells " << stem << "\n";
       EXPECT_EQ(disagreement(report, check(instance, triangulation)), "");
       if (std::filesystem::exists(with(stem, ".expected"))) {
         EXPECT_EQ(against_record(report, record_of(text_of(with(stem, ".expected")))), "");

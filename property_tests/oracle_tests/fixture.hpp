@@ -22,7 +22,7 @@ inline std::string text_of(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   std::stringstream text;
   text << in.rdbuf();
-  EXPECT_FALSE(text.str().empty()) << file;
+  EXPECT_TRUE(in.good() && std::filesystem::is_regular_file(file)) << file;
   return text.str();
 }
 
