@@ -3,10 +3,6 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "flatdt/ref/families.hpp"
-#include "flatdt/ref/group_analysis.hpp"
-#include "flatdt/ref/triangulate.hpp"
-
 namespace flatdt::edits {
 
 using ref::Isometry;
@@ -111,17 +107,6 @@ bool facets_are_paired(const Case& c, const CrystalGroup& h) {
     for (std::size_t i = 0; i < points.size(); ++i) ++count[face_key(h, without(points, i))];
   }
   return std::all_of(count.begin(), count.end(), [](const auto& item) { return item.second == 2; });
-}
-
-Base generated_base(const std::string& manifold, const std::string& family, long points, std::uint64_t seed,
-                    const std::string& metric) {
-  const ref::CatalogueEntry* entry = ref::find_entry(manifold);
-  if (entry == nullptr) throw std::runtime_error("no manifold is called " + manifold);
-  Case made;
-  made.instance = ref::generate(*entry, manifold, family, points, seed, metric);
-  made.triangulation = ref::triangulate(made.instance, ref::analyse(made.instance), {}).triangulation;
-  return {std::move(made), manifold + " " + family + " " + std::to_string(points) + " " + metric + " seed " +
-                               std::to_string(seed)};
 }
 
 }  // namespace flatdt::edits

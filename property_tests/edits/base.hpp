@@ -91,9 +91,4 @@ class Base {
 /// The occurrences of every facet modulo H are two each. Cells that repeat a point count as unpaired.
 [[nodiscard]] bool facets_are_paired(const Case& c, const CrystalGroup& h);
 
-/// A valid triangulation by ref, of points of a family of ref.
-/// Errors: those of ref; std::runtime_error for an unknown name.
-[[nodiscard]] Base generated_base(const std::string& manifold, const std::string& family, long points,
-                                  std::uint64_t seed, const std::string& metric);
-
 }  // namespace flatdt::edits

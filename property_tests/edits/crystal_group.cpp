@@ -47,6 +47,26 @@ bool CrystalGroup::contains(const Isometry& g) const {
   });
 }
 
+std::size_t CrystalGroup::index_of(const CrystalGroup& subgroup) const {
+  const Rational lattices = subgroup.lattice_.determinant() / lattice_.determinant();
+  const Rational holonomies(static_cast<long>(cosets_.size()));
+  const Rational index = lattices * holonomies / Rational(static_cast<long>(subgroup.cosets_.size()));
+  return static_cast<std::size_t>(index.numerator().to_long());
+}
+
+std::vector<Isometry> CrystalGroup::right_cosets(const CrystalGroup& subgroup) const {
+  std::vector<Isometry> found = {Isometry::identity(lattice_.dimension())};
+  for (std::size_t i = 0; i < found.size(); ++i)
+    for (const Isometry& s : generators_) {
+      const Isometry next = found[i] * s;
+      const bool known = std::any_of(found.begin(), found.end(), [&](const Isometry& f) {
+        return subgroup.contains(next * f.inverse());
+      });
+      if (!known) found.push_back(next);
+    }
+  return found;
+}
+
 bool CrystalGroup::same_as(const CrystalGroup& other) const {
   const auto within = [](const CrystalGroup& a, const CrystalGroup& b) {
     return std::all_of(a.generators_.begin(), a.generators_.end(),

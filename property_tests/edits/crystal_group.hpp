@@ -26,6 +26,12 @@ class CrystalGroup {
   /// Every generator of it is in this group and conversely.
   [[nodiscard]] bool same_as(const CrystalGroup& other) const;
 
+  /// [this : subgroup]. Requires: it is a subgroup.
+  [[nodiscard]] std::size_t index_of(const CrystalGroup& subgroup) const;
+  /// One element f of each right coset K f of a subgroup K, the identity first.  Cost: O(index^2)
+  /// memberships.
+  [[nodiscard]] std::vector<ref::Isometry> right_cosets(const CrystalGroup& subgroup) const;
+
   [[nodiscard]] const std::vector<ref::Isometry>& generators() const { return generators_; }
   /// One element for each linear part, the identity first.
   [[nodiscard]] const std::vector<ref::Isometry>& cosets() const { return cosets_; }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "flatdt/ref/errors.hpp"
+
 namespace flatdt::edits {
 
 using checker::ConditionName;
@@ -33,7 +35,11 @@ const std::vector<Kind>& kinds() {
 
 std::optional<Files> edit(const Kind& kind, const Base& base, std::uint64_t seed) {
   Random random(seed, std::string(kind.name) + "/" + base.label());
-  return kind.apply(base, random);
+  try {
+    return kind.apply(base, random);
+  } catch (const ref::LimitReached&) {
+    return std::nullopt;  // a number of the result is longer than a token may be
+  }
 }
 
 std::string contradiction(const Expectation& expectation, const std::optional<checker::Verdict>& verdict) {

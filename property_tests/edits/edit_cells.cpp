@@ -98,8 +98,8 @@ std::vector<Kind> cell_kinds() {
   return {
       {"cell removed", "its facets occur once, and its volume is missing", breaks(count), remove_cell},
       {"half of the cells removed", "volume is missing", breaks({Name::volume_exact}), remove_half},
-      {"all cells removed", "no cell has a vertex or a volume, and the empty complex is not connected",
-       breaks({Name::vertices_complete, Name::volume_exact, Name::topology_connected}), remove_all},
+      {"all cells removed", "no cell has a vertex or a volume",
+       breaks({Name::vertices_complete, Name::volume_exact}), remove_all},
       {"cell repeated", "its facets occur three times, and its volume is counted twice", breaks(count),
        repeat_cell},
       {"cell repeated, other lift", "the same: a cell is an orbit", breaks(count), repeat_cell_other_lift},

@@ -1,6 +1,7 @@
 /// Edits of the covering: subgroups too small, too large or not in the group, and sheets that are missing.
 #include <algorithm>
 
+#include "checkerboard.hpp"
 #include "flip.hpp"
 
 namespace flatdt::edits {
@@ -47,19 +48,6 @@ std::vector<Isometry> with_one_element(const CrystalGroup& h, Random& random) {
   return generators;
 }
 
-/// Right cosets of a subgroup K in H, found by walking: generators of H applied from the right.
-std::vector<Isometry> cosets_of(const CrystalGroup& h, const CrystalGroup& k) {
-  std::vector<Isometry> found = {Isometry::identity(h.lattice().dimension())};
-  for (std::size_t i = 0; i < found.size(); ++i)
-    for (const Isometry& s : h.generators()) {
-      const Isometry next = found[i] * s;
-      const bool known = std::any_of(found.begin(), found.end(),
-                                     [&](const Isometry& f) { return k.contains(next * f.inverse()); });
-      if (!known) found.push_back(next);
-    }
-  return found;
-}
-
 /// The cells of the base, each moved by all coset representatives, as a triangulation of E^d modulo the
 /// subgroup.
 Draft unfolded(const Base& base, const std::vector<Isometry>& generators,
@@ -98,7 +86,7 @@ std::optional<Files> unfold_with_holonomy(const Base& base, Random& random) {
   const std::vector<Isometry> generators = with_one_element(base.subgroup(), random);
   const CrystalGroup k(base.instance().gram, generators);
   if (k.cosets().size() < 2) return std::nullopt;
-  const std::vector<Isometry> cosets = cosets_of(base.subgroup(), k);
+  const std::vector<Isometry> cosets = base.subgroup().right_cosets(k);
   if (base.cell_count() * cosets.size() > kMostCells) return std::nullopt;
   return unfolded(base, generators, cosets).files();
 }
@@ -127,61 +115,6 @@ std::optional<Files> double_cover(const Base& base, Random& random) {
       return draft.files();
     }
   return std::nullopt;
-}
-
-/// The grid (1/k)Z^3 modulo Z^3, k odd: every cube cut into five, the one in the middle on the corners with
-/// an even sum of coordinates. Invariant under index 2 of Z^3 only; the cells modulo that are a connected
-/// double cover.
-std::optional<Files> checkerboard(const Base& base, Random& /*random*/) {
-  if (base.dimension() != 3 || !base.points_are_distinct() || base.group().cosets().size() > 1)
-    return std::nullopt;
-  if (!base.group().lattice().is_identity()) return std::nullopt;
-  int k = 3;
-  while (k * k * k < static_cast<int>(base.instance().points.size())) k += 2;
-  if (k * k * k != static_cast<int>(base.instance().points.size())) return std::nullopt;
-  const std::vector<ref::Vector>& points = base.instance().points;
-  Draft draft(base);
-  const auto vertex = [&](int x, int y, int z) -> std::optional<FileVertex> {
-    ref::Vector wanted(3);
-    wanted[0] = Rational(x) * Rational(ref::Integer(1), ref::Integer(k));
-    wanted[1] = Rational(y) * Rational(ref::Integer(1), ref::Integer(k));
-    wanted[2] = Rational(z) * Rational(ref::Integer(1), ref::Integer(k));
-    for (std::uint32_t p = 0; p < points.size(); ++p)
-      if ((wanted - points[p]).is_integral())
-        return FileVertex{p, draft.index_of(Isometry::translate(wanted - points[p]))};
-    return std::nullopt;
-  };
-  draft.cells().clear();
-  for (int x = 0; x < 2 * k; ++x)
-    for (int y = 0; y < k; ++y)
-      for (int z = 0; z < k; ++z) {
-        FileCell middle{};
-        std::size_t evens = 0;
-        for (int corner = 0; corner < 8; ++corner) {
-          const std::array<int, 3> at = {x + (corner & 1), y + (corner >> 1 & 1), z + (corner >> 2)};
-          const bool even = (at[0] + at[1] + at[2]) % 2 == 0;
-          const std::optional<FileVertex> here = vertex(at[0], at[1], at[2]);
-          if (!here) return std::nullopt;
-          if (even) {
-            middle[evens++] = *here;
-            continue;
-          }
-          // The corner and its three neighbours in the cube, each on the other side along one axis.
-          FileCell cut{*here, {}, {}, {}};
-          for (std::size_t axis = 0; axis < 3; ++axis) {
-            std::array<int, 3> to = at;
-            to[axis] += (corner >> axis & 1) == 1 ? -1 : 1;
-            const std::optional<FileVertex> neighbour = vertex(to[0], to[1], to[2]);
-            if (!neighbour) return std::nullopt;
-            cut[axis + 1] = *neighbour;
-          }
-          draft.cells().push_back(cut);
-        }
-        draft.cells().push_back(middle);
-      }
-  draft.triangulation().has_subgroup = false;
-  draft.triangulation().subgroup.clear();
-  return draft.files();
 }
 
 std::optional<Files> sheet_missing(const Base& base, Random& random) {

@@ -1,8 +1,8 @@
 /// Edits of valid triangulations on all twelve manifolds, judged by the checker: the table of scripts/edits.
 /// Exit code 0 only if every kind was tried, every edit that invalidates was refuted with the conditions that
 /// must fail, and none of those that keep validity.
-#include <chrono>
 #include <cstdlib>
+#include <ctime>
 #include <fstream>
 #include <iostream>
 #include <sstream>
@@ -20,7 +20,9 @@ struct Options {
   std::size_t tries = 1;
   std::uint64_t seed = 1;
   bool quick = false;
-  std::string keep;
+  bool verbose = false;
+  std::string corpus;  ///< folder of valid pairs
+  std::string keep;    ///< folder for the pairs that are not as they must be
 };
 
 std::optional<checker::Verdict> judged(const Files& files) {
@@ -44,46 +46,72 @@ void keep(const Options& options, const Kind& kind, std::size_t number, const Fi
   std::ofstream(stem + ".triangulation") << files.triangulation;
 }
 
-int run(const Options& options) {
-  const auto begin = std::chrono::steady_clock::now();
-  std::vector<Row> rows(kinds().size());
-  std::size_t wrong = 0;
-  std::size_t bases = 0;
-  std::size_t in_cover = 0;
-  for (const Recipe& recipe : recipes(options.quick, options.tries, options.seed)) {
-    const Base base =
-        generated_base(recipe.manifold, recipe.family, recipe.points, recipe.seed, recipe.metric);
-    ++bases;
-    in_cover += base.on_manifold() ? 0 : 1;
+/// All kinds of edit of some bases; counts what was said.
+class Session {
+ public:
+  explicit Session(Options options) : options_(std::move(options)), rows_(kinds().size()) {}
+
+  void edit_all(const Base& base) {
+    ++bases_;
+    in_cover_ += base.on_manifold() ? 0 : 1;
     const std::optional<checker::Verdict> before = judged(Draft(base).files());
     if (!before || before->outcome != checker::Outcome::verified) {
-      ++wrong;
-      std::cout << "WRONG: not verified before any edit: " << base.label() << "\n";
-      continue;
+      ++wrong_;
+      std::cout << "WRONG: not verified before any edit: " << base.label() << std::endl;
+      return;
     }
     for (std::size_t i = 0; i < kinds().size(); ++i) {
-      const std::optional<Files> files = edit(kinds()[i], base, options.seed);
+      const std::optional<Files> files = edit(kinds()[i], base, options_.seed);
       if (!files) continue;
-      const std::string why = record(rows[i], kinds()[i].expectation, judged(*files));
+      const std::string why = record(rows_[i], kinds()[i].expectation, judged(*files));
       if (why.empty()) continue;
-      std::cout << "WRONG: " << kinds()[i].name << ": " << why << ": " << base.label() << "\n";
-      keep(options, kinds()[i], wrong++, *files);
+      std::cout << "WRONG: " << kinds()[i].name << ": " << why << ": " << base.label() << std::endl;
+      keep(options_, kinds()[i], wrong_++, *files);
     }
   }
-  print(std::cout, rows);
-  std::size_t never = 0;
-  std::size_t tries = 0;
-  for (const Row& row : rows) {
-    never += row.tries == 0 ? 1 : 0;
-    tries += row.tries;
+
+  /// The table and the sums. Returns the exit code.
+  int conclude(double seconds) const {
+    print(std::cout, rows_);
+    std::size_t never = 0;
+    std::size_t tries = 0;
+    for (const Row& row : rows_) {
+      never += row.tries == 0 ? 1 : 0;
+      tries += row.tries;
+    }
+    std::cout << "\n"
+              << tries << " edits of " << kinds().size() << " kinds, of " << bases_
+              << " valid triangulations (" << in_cover_ << " of them of covering spaces); " << wrong_
+              << " wrong, " << never << " kinds never applied; seed " << options_.seed << "; " << seconds
+              << " s\n";
+    return wrong_ == 0 && never == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
   }
-  const auto seconds =
-      std::chrono::duration_cast<std::chrono::seconds>(std::chrono::steady_clock::now() - begin);
-  std::cout << "\n"
-            << tries << " edits of " << kinds().size() << " kinds, of " << bases << " valid triangulations ("
-            << in_cover << " of them of covering spaces); " << wrong << " wrong, " << never
-            << " kinds never applied; seed " << options.seed << "; " << seconds.count() << " s\n";
-  return wrong == 0 && never == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+
+ private:
+  Options options_;
+  std::vector<Row> rows_;
+  std::size_t wrong_ = 0;
+  std::size_t bases_ = 0;
+  std::size_t in_cover_ = 0;
+};
+
+int run(const Options& options) {
+  const std::clock_t begin = std::clock();
+  const auto elapsed = [begin] {
+    return static_cast<double>(std::clock() - begin) / static_cast<double>(CLOCKS_PER_SEC);
+  };
+  Session session(options);
+  if (!options.corpus.empty())
+    for (const Base& base : bases_of_folder(options.corpus, options.quick ? 70 : 700)) session.edit_all(base);
+  for (std::size_t round = 0; round < options.tries; ++round)
+    for (const Recipe& recipe : recipes(options.quick, round, options.seed)) {
+      const std::optional<Base> base = make_base(recipe);
+      if (!base) continue;
+      if (options.verbose)
+        std::cerr << elapsed() << " s: " << base->label() << ", " << base->cell_count() << " cells\n";
+      session.edit_all(*base);
+    }
+  return session.conclude(elapsed());
 }
 
 /// Every expectation must object to a verdict that denies it: all verified, nothing failing that must, a
@@ -159,18 +187,25 @@ int main(int argc, char** argv) {
         options.quick = true;
         continue;
       }
+      if (word == "--verbose") {
+        options.verbose = true;
+        continue;
+      }
       if (i + 1 == argc) throw std::invalid_argument(word);
       if (word == "--tries")
         options.tries = std::stoul(argv[++i]);
       else if (word == "--seed")
         options.seed = std::stoull(argv[++i]);
+      else if (word == "--corpus")
+        options.corpus = argv[++i];
       else if (word == "--keep")
         options.keep = argv[++i];
       else
         throw std::invalid_argument(word);
     }
   } catch (const std::exception&) {
-    std::cerr << "usage: edits [--tries N] [--seed S] [--quick] [--keep FOLDER] | --self-test\n";
+    std::cerr << "usage: edits [--tries N] [--seed S] [--quick] [--verbose] [--corpus FOLDER] [--keep "
+                 "FOLDER] | --self-test\n";
     return 2;
   }
   return flatdt::edits::run(options);
