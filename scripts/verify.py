@@ -134,6 +134,21 @@ def progress(done, total, failures, begin):
           flush=True)
 
 
+def run_peers(programs):
+    """Other programs' opinions: Regina on the manifolds, GAP on the catalogue's groups. What is not installed is skipped
+    with a message. Returns the exit code."""
+    folder = ROOT / "property_tests" / "peers"
+    flatdt = str(programs / "ref" / "flatdt")
+    code = 0
+    for command in (["manifolds_by_regina.py", flatdt, "--valid", str(ROOT / "corpora" / "valid")],
+                    ["groups_by_gap.py", flatdt]):
+        sys.stdout.flush()
+        done = subprocess.run([sys.executable, str(folder / command[0]), *command[1:]])
+        if done.returncode not in (0, 77):
+            code = 1
+    return code
+
+
 def main():
     parser = argparse.ArgumentParser(
         prog="scripts/verify", description="Triangulate on every manifold and prove every result.")
@@ -142,10 +157,14 @@ def main():
     size.add_argument("--full", action="store_true",
                       help="the matrix: 1..100 points of all families, both kinds of metrics, 1,000 and 10,000 points, all crystals")
     parser.add_argument("--crystals", action="store_true", help="only the crystals, all of them")
+    parser.add_argument("--peers", action="store_true",
+                        help="instead: Regina recognises the manifolds, GAP confirms the groups, where installed")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="instances at a time")
     parser.add_argument("--keep", help="keep the files in this folder")
     parser.add_argument("--programs", type=pathlib.Path, default=ROOT / "build" / "release", help=argparse.SUPPRESS)
     options = parser.parse_args()
+    if options.peers:
+        return run_peers(options.programs.resolve())
     if options.keep:
         pathlib.Path(options.keep).mkdir(parents=True, exist_ok=True)
     jobs = crystal_jobs(None) if options.crystals else quick_jobs() if options.quick else full_jobs(
