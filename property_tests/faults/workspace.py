@@ -1,15 +1,16 @@
 """A copy of the source tree, built once; a fault changes it and is undone by putting back what the build changed."""
 import os
 import pathlib
+import re
 import resource
 import shutil
 import signal
 import subprocess
 
-# No optimisation that costs more time than it saves, assertions of the standard library, warnings allowed: a fault may
-# leave a parameter unused.
-SETTINGS = ["-DCMAKE_BUILD_TYPE=None", "-DCMAKE_CXX_FLAGS=-O1 -D_GLIBCXX_ASSERTIONS -w", "-DFLATDT_WARNINGS_AS_ERRORS=OFF",
-            "-DCMAKE_GTEST_DISCOVER_TESTS_DISCOVERY_MODE=PRE_TEST"]
+# Assertions of the standard library; no warnings, for a fault may leave a parameter unused; the least optimisation that
+# costs no more time than it saves.
+SETTINGS = ["-DCMAKE_BUILD_TYPE=None", "-DFLATDT_WARNINGS_AS_ERRORS=OFF", "-DCMAKE_GTEST_DISCOVER_TESTS_DISCOVERY_MODE=PRE_TEST"]
+COMPONENTS = {"ref": (".", "-O1"), "checker": ("checker", "-O0")}
 MEMORY_LIMIT = 4 << 30
 
 
@@ -44,8 +45,10 @@ def run(command, cwd, limit, limited=False, env=None):
 
 
 class Workspace:
-    def __init__(self, root, folder, jobs):
-        self.root, self.folder, self.jobs = root, folder, jobs
+    """`component`: "checker" configures that half alone, "ref" both halves, whose agreement shows faults in ref."""
+
+    def __init__(self, root, folder, component, jobs):
+        self.root, self.folder, self.component, self.jobs = root, folder, component, jobs
         self.source, self.build, self.pristine = folder / "source", folder / "build", folder / "pristine"
         self.patched = []
 
@@ -55,12 +58,13 @@ class Workspace:
         self._copy_tree()
         generator = ["-G", "Ninja"] if shutil.which("ninja") else []
         if not (self.build / "CMakeCache.txt").exists():
-            self._must("configuring", ["cmake", "-S", self.source, "-B", self.build, *generator, *SETTINGS])
+            top, optimisation = COMPONENTS[self.component]
+            self._must("configuring", ["cmake", "-S", self.source / top, "-B", self.build, *generator, *SETTINGS,
+                                       f"-DCMAKE_CXX_FLAGS={optimisation} -D_GLIBCXX_ASSERTIONS -w"])
         else:
             self._must("configuring", ["cmake", self.build])
-        listed = self._must("listing targets", ["cmake", "--build", self.build, "--target", "help"])
-        existing = {line.replace("... ", "").split(":")[0].strip() for line in listed.splitlines()}
-        self.make(targets(existing))
+        commands = (self.build / "compile_commands.json").read_text()
+        self.make(targets(set(re.findall(r"CMakeFiles/([^/ ]+)\.dir/", commands))))
         if self.pristine.exists():
             shutil.rmtree(self.pristine)
         shutil.copytree(self.build, self.pristine, symlinks=True)
