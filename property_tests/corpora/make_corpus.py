@@ -535,6 +535,14 @@ def _klein_missing_point():
     return more_points(i, "1/2 1/7"), t
 
 
+@entry(V, V)
+def _klein_missing_point_others_twice():
+    """A missing point beside points that are given twice, the second time by a glide: more points in the file than vertices,
+    for two reasons."""
+    i, t = duplicated(*KLEIN(), 1)
+    return more_points(i, "1/2 1/7"), t
+
+
 @entry(V, V + " delaunay.empty")
 def _2d_missing_point_and_flip():
     """delaunay.empty fails across a facet even where it could not hold for want of a vertex."""
@@ -1308,6 +1316,12 @@ def _2d_klein_bottle_in_torus():
 
 
 T3_G2 = triangulated("torocosm-over-dicosm-60", Instance(3, kronecker(3, 60), "torocosm", metric="1 0 0 1 0 2"))
+
+
+@entry(TH, f"{VE} {TH}")
+def _3d_dicosm_over_tetracosm():
+    """The double cover of the tetracosm, one vertex over each point: a dicosm, whose H1 has the same rank and other torsion."""
+    return forget(G2_50, "tetracosm", G["tetracosm"])
 
 
 @entry(TH, f"{VE} {TH}")

@@ -19,6 +19,7 @@ import workspace  # noqa: E402
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 KINDS = ("ref", "checker")
+MEMORY_LIMIT = 6 << 30  # bytes, of one process
 
 
 def all_faults():
@@ -163,6 +164,7 @@ def main():
     if not faults:
         print("faults: nothing to do", file=sys.stderr)
         return 1
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY_LIMIT, MEMORY_LIMIT))  # inherited by all that runs here
     begin, results = time.monotonic(), []
     width = max(len(kind + path.stem) + 1 for kind, path in faults)
     print(f"{'fault':<{width}}  {'cases':>5}  {'seconds':>7}  {'CPU':>7}  killed by")

@@ -11,7 +11,6 @@ import subprocess
 # costs no more time than it saves.
 SETTINGS = ["-DCMAKE_BUILD_TYPE=None", "-DFLATDT_WARNINGS_AS_ERRORS=OFF", "-DCMAKE_GTEST_DISCOVER_TESTS_DISCOVERY_MODE=PRE_TEST"]
 COMPONENTS = {"ref": (".", "-O1"), "checker": ("checker", "-O0")}
-MEMORY_LIMIT = 4 << 30
 
 
 class BuildError(Exception):
@@ -22,17 +21,14 @@ class TimeOut(Exception):
     pass
 
 
-def limit_memory():
-    resource.setrlimit(resource.RLIMIT_AS, (MEMORY_LIMIT, MEMORY_LIMIT))
-
-
-def run(command, cwd, limit, limited=False, env=None):
-    """Runs a command in its own process group, which a time-out ends as a whole. Returns the completed process."""
+def run(command, cwd, cpu_limit, env=None):
+    """Runs a command in its own process group. A process of it may use `cpu_limit` seconds of CPU time, and all together
+    ten times that by the clock. Returns the completed process. Errors: TimeOut with the output so far."""
     process = subprocess.Popen([str(c) for c in command], cwd=cwd, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                stderr=subprocess.PIPE, text=True, errors="replace", start_new_session=True, env=env,
-                               preexec_fn=limit_memory if limited else None)
+                               preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (cpu_limit, cpu_limit + 5)))
     try:
-        out, err = process.communicate(timeout=limit)
+        out, err = process.communicate(timeout=10 * cpu_limit)
     except subprocess.TimeoutExpired:
         os.killpg(process.pid, signal.SIGKILL)
         out, err = process.communicate()
@@ -41,6 +37,8 @@ def run(command, cwd, limit, limited=False, env=None):
         os.killpg(process.pid, signal.SIGKILL)
         process.communicate()
         raise
+    if process.returncode == -signal.SIGXCPU:
+        raise TimeOut(out + err)
     return subprocess.CompletedProcess(command, process.returncode, out, err)
 
 
