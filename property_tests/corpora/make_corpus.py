@@ -535,6 +535,14 @@ def _klein_missing_point():
     return more_points(i, "1/2 1/7"), t
 
 
+@entry(V, V)
+def _klein_missing_point_others_twice():
+    """A missing point beside points that are given twice, the second time by a glide: more points in the file than vertices,
+    for two reasons."""
+    i, t = duplicated(*KLEIN(), 1)
+    return more_points(i, "1/2 1/7"), t
+
+
 @entry(V, V + " delaunay.empty")
 def _2d_missing_point_and_flip():
     """delaunay.empty fails across a facet even where it could not hold for want of a vertex."""
@@ -1024,6 +1032,39 @@ def point_moved_2d():
     return moved_grid(())
 
 
+def fine_grid(through):
+    """A grid of 101 x 3 points, one moved by 2^-60 to the right and up; `through`: the squares at it whose diagonal meets it.
+    The circle through the other three corners of a flat rectangle is steep at its corners' heights: the moved point enters
+    the circles of the squares above it and leaves those of the squares below."""
+    columns, rows = 101, 3
+    points = {(i, j): (F(i, columns), F(j, rows)) for i, j in grid(columns, rows)}
+    moved = (50, 1)
+    points[moved] = tuple(x + F(1, 2 ** 60) for x in points[moved])
+    sheet = Drawing(torus(list(points.values())))
+    at = lambda c: tuple(x + k // n for x, k, n in zip(points[c[0] % columns, c[1] % rows], c, (columns, rows)))
+    for c in grid(columns, rows):
+        place = moved[0] - c[0], moved[1] - c[1]
+        rising = place in ((0, 0), (1, 1))  # the diagonals (0,0)-(1,1) of these squares meet the moved point
+        meets = place in through
+        mirror = (0,) if place in ((0, 0), (1, 0), (0, 1), (1, 1)) and rising != meets else ()
+        sheet.add(*([at(x) for x in cell] for cell in kuhn(c, mirror)))
+    return sheet.instance, sheet.tri
+
+
+@entry("valid")
+def fine_grid_point_moved_2d():
+    """A fine grid of which one point was moved by 2^-60: far less than the coordinates' rounding to doubles, and the squares
+    are so small that nothing else hides that rounding."""
+    return fine_grid({(0, 0), (1, 0)})
+
+
+@entry(DE, DE)
+def _2d_fine_grid_point_moved():
+    """The fine grid with its moved point and a diagonal that does not respect the move, by less than the rounding of the
+    coordinates to doubles."""
+    return fine_grid({(0, 0), (1, 0), (0, 1)})
+
+
 @entry(DE, DE)
 def _3d_point_moved():
     """A correct triangulation of a grid of which one point was then moved by 2^-60."""
@@ -1058,6 +1099,21 @@ def covered(base, subgroup):
 loops(SI, "2d-one-vertex", "One vertex, three loops, two triangles.", LOOP, lambda: (torus(), kuhn_tri(torus(), (1, 1), False).tri))
 loops(SI, "3d-one-vertex", "One vertex, seven loops, six tetrahedra.", LOOP, lambda: (torus3(), kuhn_tri(torus3(), (1, 1, 1), False).tri))
 loops(SI, "didicosm-one-vertex", "One generic point of the didicosm without a cover.", LOOP, lambda: covered(ONE["didicosm"], None))
+
+
+def loops_at_far_corners(*sizes):
+    """A narrow cover in which each cell has one loop, listed from its first vertex to its last."""
+    sheet = Drawing(torus3() if len(sizes) == 3 else torus(), multiples(*sizes))
+    for corner in grid(*sizes):
+        for cell in kuhn(corner):
+            a, b = next((x, y) for x in cell for y in cell if y[0] == x[0] + 1 and y[1:] == x[1:])
+            sheet.add([a, *(x for x in cell if x not in (a, b)), b])
+    return sheet.instance, sheet.tri
+
+
+loops(SI, "2d-first-and-last-vertex", "The cover <(1,0), (0,3)>, the two equal vertices of each cell listed first and last.", LOOP,
+      lambda: loops_at_far_corners(1, 3))
+loops(SI, "3d-first-and-last-vertex", "The same for <1, 3, 3>.", LOOP, lambda: loops_at_far_corners(1, 3, 3))
 loops(NL, "2d-narrow-cover", "The cover <(1,0), (0,3)>: one loop at every vertex.", LOOP, lambda: (torus(), kuhn_tri(torus(), (1, 3)).tri))
 loops(NL, "3d-narrow-cover", "The cover <1, 3, 3>: one loop at every vertex.", LOOP, lambda: (torus3(), kuhn_tri(torus3(), (1, 3, 3)).tri))
 loops(NL, "klein-one-vertex", "Two triangles, each glued to itself by a glide: its edge modulo H occurs twice in one cell.", LOOP,
@@ -1145,6 +1201,36 @@ def _3d_two_pillows_at_a_vertex():
     return finish(flat_torus3(list(dict.fromkeys(p + q)), 7, 4, F(6, 7)), a + b)
 
 
+def suspended_torus():
+    """The torus of seven vertices (triangles {i, i+1, i+3} and {i, i+2, i+3} modulo 7) and the cones over it from two apexes."""
+    rim = [(F(k), F(k * k % 7), F(k ** 3, 343)) for k in range(7)]
+    north, south = (F(0), F(0), F(8)), (F(9), F(1), F(-5))
+    faces = [[rim[(i + k) % 7] for k in (0, step, 3)] for i in range(7) for step in (1, 2)]
+    return north, [north, south, *rim], [[apex, *face] for apex in (north, south) for face in faces]
+
+
+def of_their_volume(points, cells):
+    """The cells in a cubic torus of the exact volume."""
+    det = lambda u, v, w: sum(u[i] * (v[i - 2] * w[i - 1] - v[i - 1] * w[i - 2]) for i in range(3))
+    total = sum(abs(det(*([a - b for a, b in zip(x, c[0])] for x in c[1:]))) for c in cells) / 6
+    return finish(flat_torus3(points, 20, 20, total / 400), cells)
+
+
+@entry(LS, f"{FO} {DE} {LS} {TE} {TH}")
+def _3d_torus_as_link():
+    """The suspension of a torus: the links of its two apexes are closed and connected, and no spheres."""
+    _, points, cells = suspended_torus()
+    return of_their_volume(points, cells)
+
+
+@entry(LS, f"{FO} {DE} {LS} {TC} {TE} {TH}")
+def _3d_torus_and_sphere_as_link():
+    """The same and a 3-sphere that meet in one vertex: its link, a torus and a sphere, has the Euler number of a sphere."""
+    north, p, a = suspended_torus()
+    q, b = bipyramid_pillow(north)
+    return of_their_volume(list(dict.fromkeys(p + q)), a + b)
+
+
 @entry(LS, f"{V} {FO} {VE} {LS} {TC} {TE} {TH}")
 def _2d_two_squares_at_a_vertex():
     """Two pillows on squares that share a corner: a pinched vertex."""
@@ -1230,6 +1316,12 @@ def _2d_klein_bottle_in_torus():
 
 
 T3_G2 = triangulated("torocosm-over-dicosm-60", Instance(3, kronecker(3, 60), "torocosm", metric="1 0 0 1 0 2"))
+
+
+@entry(TH, f"{VE} {TH}")
+def _3d_dicosm_over_tetracosm():
+    """The double cover of the tetracosm, one vertex over each point: a dicosm, whose H1 has the same rank and other torsion."""
+    return forget(G2_50, "tetracosm", G["tetracosm"])
 
 
 @entry(TH, f"{VE} {TH}")
