@@ -8,6 +8,8 @@
 #include "flatdt/checker/check.hpp"
 #include "flatdt/checker/errors.hpp"
 #include "naive_checker/naive_check.hpp"
+#include "oracle/compare.hpp"
+#include "oracle/voronoi.hpp"
 
 namespace flatdt::naive {
 namespace {
@@ -92,6 +94,28 @@ TEST(NaiveChecker, AgreesOnTheCorpora) {
     std::cout << "  " << name << " fails in " << failing[name] << "\n";
     EXPECT_GT(failing[name], 0) << name;
   }
+}
+
+/// The oracle's comparison accepts the triangulations that are right and refuses those that are not Delaunay.
+TEST(Compare, AgreesWithTheCorpora) {
+  const std::size_t max_cells = oracle_tests::setting("FLATDT_CONDITION_CELLS", 275);
+  std::size_t right = 0;
+  std::size_t wrong = 0;
+  for (const std::string folder : {"/valid", "/invalid/delaunay.empty"}) {
+    for (const auto& stem : stems(FLATDT_CORPORA + folder, ".triangulation")) {
+      const checker::Instance instance = read_instance(text_of(with(stem, ".instance")));
+      const checker::Triangulation triangulation =
+          read_triangulation(text_of(with(stem, ".triangulation")), instance);
+      if (triangulation.cells.size() > max_cells) continue;
+      const std::string found =
+          oracle::difference(instance, oracle::delaunay_tessellation(instance), triangulation);
+      EXPECT_EQ(found.empty(), folder == "/valid") << stem << ": " << found;
+      ++(folder == "/valid" ? right : wrong);
+    }
+  }
+  std::cout << right << " triangulations equal to the tessellation, " << wrong << " refused\n";
+  EXPECT_GT(right, 0U);
+  EXPECT_GT(wrong, 0U);
 }
 
 }  // namespace

@@ -44,6 +44,20 @@ TEST(RefAgainstOracle, AdversarialInstances) {
     EXPECT_EQ(disagreement(answer_of_ref(text_of(with(stem, ".instance")))), "") << stem;
 }
 
+/// Enough points for the manifold itself to carry the triangulation.
+TEST(RefAgainstOracle, TriangulationsOfTheManifoldItself) {
+  const auto generated = [](const char* manifold, const char* family, long n) {
+    return ref::write_instance(generate(*ref::find_entry(manifold), manifold, family, n, 1));
+  };
+  for (const std::string& text :
+       {generated("torus", "uniform", 24), generated("klein-bottle", "uniform", 24),
+        generated("torocosm", "grid", 27), text_of(FLATDT_CORPORA "/valid/second-amphicosm-45.instance")}) {
+    const Answer answer = answer_of_ref(text);
+    EXPECT_EQ(disagreement(answer), "") << text;
+    EXPECT_EQ(answer.result.sheets, 1) << text;
+  }
+}
+
 class EveryManifold : public testing::TestWithParam<std::string> {};
 
 /// Vertices of the cover that ref works in: beyond, the run is left to FLATDT_COVER_VERTICES, and counted.
@@ -80,15 +94,6 @@ TEST_P(EveryManifold, GeneratedInstances) {
             << " on the manifold itself, " << beyond_limit
             << " not, as ref would work in a cover of more than " << max_vertices << " vertices\n";
   EXPECT_GT(compared, 0U);
-}
-
-/// Enough points for the manifold itself to carry the triangulation.
-TEST_P(EveryManifold, TriangulationsOfTheManifoldItself) {
-  const ref::CatalogueEntry& entry = *ref::find_entry(GetParam());
-  const long n = entry.dimension == 2 ? 24 : 48;
-  const Answer answer = answer_of_ref(ref::write_instance(generate(entry, entry.name, "uniform", n, 7)));
-  EXPECT_EQ(disagreement(answer), "");
-  std::cout << GetParam() << ": " << n << " points, " << answer.result.sheets << " sheets\n";
 }
 
 std::vector<std::string> manifold_names() {
