@@ -408,7 +408,7 @@ class Reader:
 
 
 def read_instance(path):
-    r = Reader(open(path).read())
+    r = Reader(open(path, encoding="latin-1").read())
     assert r.next(2) == ["flatdt-instance", "1"] and r.next() == "dimension"
     d = int(r.next())
     name = r.next(2)[1] if r.words[r.at] == "manifold" else None
@@ -420,7 +420,7 @@ def read_instance(path):
 
 
 def read_triangulation(path, dim):
-    r = Reader(open(path).read())
+    r = Reader(open(path, encoding="latin-1").read())
     assert r.next(2) == ["flatdt-triangulation", "1"]
     n = r.section("subgroup")
     size = dim * (dim + 1)

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "geometry.hpp"
+
 namespace flatdt::edits {
 
 using ref::Isometry;
@@ -80,6 +82,16 @@ Base::Base(Case valid, std::string label)
 Vector Base::apex_across(std::size_t cell, std::size_t corner) const {
   const Neighbour& n = neighbours_[cell][corner];
   return n.to * cells_[n.cell][n.corner];
+}
+
+const std::vector<std::pair<std::size_t, std::size_t>>& Base::ties() const {
+  if (!ties_) {
+    ties_.emplace();
+    for (std::size_t c = 0; c < cells_.size(); ++c)
+      for (std::size_t i = 0; i < corners(); ++i)
+        if (in_ball(case_.instance.gram, cells_[c], apex_across(c, i)) == 0) ties_->emplace_back(c, i);
+  }
+  return *ties_;
 }
 
 bool Base::closes_short_cycle(const Vector& u, const Vector& v) const {

@@ -73,6 +73,9 @@ class Base {
   /// The apex of the neighbour across the facet opposite to `corner`, moved there.
   [[nodiscard]] ref::Vector apex_across(std::size_t cell, std::size_t corner) const;
 
+  /// (cell, corner): the apex across the facet opposite to the corner is on the sphere of the cell.
+  [[nodiscard]] const std::vector<std::pair<std::size_t, std::size_t>>& ties() const;
+
   /// Would an edge between two points that are not joined be a loop or make a 2-cycle modulo H?
   [[nodiscard]] bool closes_short_cycle(const ref::Vector& u, const ref::Vector& v) const;
 
@@ -84,6 +87,7 @@ class Base {
   std::vector<std::vector<ref::Vector>> cells_;
   std::vector<std::vector<Neighbour>> neighbours_;
   bool points_are_distinct_ = true;
+  mutable std::optional<std::vector<std::pair<std::size_t, std::size_t>>> ties_;
   mutable std::optional<std::set<std::pair<ref::Vector, ref::Vector>>>
       joined_;  // canonical ends of the edges
 };

@@ -46,12 +46,14 @@ std::vector<Recipe> recipes(bool quick, std::size_t round, std::uint64_t seed) {
     if (planar) {
       add("uniform", 20, "canonical", Form::as_written);
       add("grid", 16, "canonical", Form::as_written);
-      add("near-cospherical", 24, "canonical", Form::as_written);
-      add(family(turn), 3, "random", Form::as_written);
+      add(family(turn), 3, "random", quick ? Form::small_cover : Form::as_written);
+      if (!quick) add("near-cospherical", 24, "canonical", Form::as_written);
       add(family(turn + 1), 4, "canonical", Form::small_cover);
     } else if (quick) {
-      add(m % 2 == 0 ? "grid" : "near-cospherical", 1, "canonical", Form::small_manifold);
-      add(m % 2 == 0 ? "uniform" : "grid", 2, "canonical", Form::small_cover);
+      if (m % 2 == 0)
+        add(m % 4 == 0 ? "uniform" : "grid", 1, "canonical", Form::small_manifold);
+      else
+        add(m % 4 == 1 ? "grid" : "near-cospherical", 1, "canonical", Form::small_cover);
     } else {
       add("uniform", 1, "random", Form::as_written);
       add("grid", 1, "canonical", Form::small_manifold);
@@ -63,7 +65,7 @@ std::vector<Recipe> recipes(bool quick, std::size_t round, std::uint64_t seed) {
     }
     ++m;
   }
-  if (!quick || round > 0) all.push_back({"torocosm", "grid", 27, "canonical", seed, Form::as_written});
+  all.push_back({"torocosm", "grid", 27, "canonical", seed, Form::as_written});
   return all;
 }
 

@@ -66,7 +66,7 @@ void claim_space_of(const Base& base, Draft& draft) {
   draft.triangulation().subgroup = base.triangulation().subgroup;
 }
 
-constexpr std::size_t kMostCells = 3000;
+constexpr std::size_t kMostCells = 1000;
 
 std::optional<Draft> unfolded_once(const Base& base, Random& random, std::size_t* sheets = nullptr) {
   const int factor = random.between(2, 3);
@@ -102,18 +102,18 @@ std::optional<Files> cover_claimed_as_its_base(const Base& base, Random& random)
 /// then claimed for what it covers.
 std::optional<Files> double_cover(const Base& base, Random& random) {
   const CrystalGroup& h = base.subgroup();
-  if (h.cosets().size() > 1 || 2 * base.cell_count() > kMostCells) return std::nullopt;
+  if (h.cosets().size() > 1 || base.ties().empty() || 2 * base.cell_count() > kMostCells) return std::nullopt;
   const Sublattice s = sublattice(h, random, 2);
   const Base cover(unfolded(base, s.generators, s.cosets).data(), base.label() + " doubled");
   Draft draft(cover);
-  for (const std::size_t c : random.order(cover.cell_count()))
-    for (const std::size_t i : random.order(cover.corners())) {
-      const std::optional<Flip> flip = facet_flip(cover, draft, c, i);
-      if (!flip || !flip->tie) continue;
-      apply(*flip, draft);
-      claim_space_of(base, draft);
-      return draft.files();
-    }
+  for (const std::size_t k : random.order(cover.ties().size())) {
+    const auto [c, i] = cover.ties()[k];
+    const std::optional<Flip> flip = facet_flip(cover, draft, c, i);
+    if (!flip) continue;
+    apply(*flip, draft);
+    claim_space_of(base, draft);
+    return draft.files();
+  }
   return std::nullopt;
 }
 

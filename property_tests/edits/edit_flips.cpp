@@ -11,24 +11,37 @@ namespace {
 
 enum class Shape { facet, edge, quadrilateral, quadrilateral_filled };
 
-/// All flips of a shape that exist, in random order, until one is accepted.
+/// The facets to try, in random order: those between cells on one sphere, or all.
+std::vector<std::pair<std::size_t, std::size_t>> facets(const Base& base, Random& random, bool ties) {
+  std::vector<std::pair<std::size_t, std::size_t>> all;
+  if (ties) {
+    all = base.ties();
+  } else {
+    for (std::size_t c = 0; c < base.cell_count(); ++c)
+      for (std::size_t i = 0; i < base.corners(); ++i) all.emplace_back(c, i);
+  }
+  random.shuffle(all);
+  return all;
+}
+
+/// All flips of a shape that exist, ties only or all, in random order, until one is accepted.
 template <class Accept>
-std::optional<Files> first_flip(const Base& base, Random& random, Shape shape, const Accept& accept) {
+std::optional<Files> first_flip(const Base& base, Random& random, Shape shape, bool ties,
+                                const Accept& accept) {
   if (base.dimension() == 2 && shape != Shape::facet) return std::nullopt;
   Draft draft(base);
-  for (const std::size_t c : random.order(base.cell_count())) {
-    for (const std::size_t i : random.order(base.corners())) {
-      std::vector<std::optional<Flip>> found;
-      if (shape == Shape::facet) found.push_back(facet_flip(base, draft, c, i));
-      if (shape == Shape::quadrilateral || shape == Shape::quadrilateral_filled)
-        found.push_back(quadrilateral_flip(base, draft, c, i, shape == Shape::quadrilateral_filled));
-      if (shape == Shape::edge)
-        for (std::size_t j = 0; j < i; ++j) found.push_back(edge_flip(base, draft, c, i, j));
-      for (const std::optional<Flip>& flip : found) {
-        if (!flip || !accept(*flip)) continue;
-        apply(*flip, draft);
-        return draft.files();
-      }
+  for (const auto& [c, i] : facets(base, random, ties)) {
+    std::vector<std::optional<Flip>> found;
+    if (shape == Shape::facet) found.push_back(facet_flip(base, draft, c, i));
+    if (shape == Shape::quadrilateral || shape == Shape::quadrilateral_filled)
+      found.push_back(quadrilateral_flip(base, draft, c, i, shape == Shape::quadrilateral_filled));
+    if (shape == Shape::edge)
+      for (std::size_t j = 0; j < base.corners(); ++j)
+        if (j != i) found.push_back(edge_flip(base, draft, c, i, j));
+    for (const std::optional<Flip>& flip : found) {
+      if (!flip || !accept(*flip)) continue;
+      apply(*flip, draft);
+      return draft.files();
     }
   }
   return std::nullopt;
@@ -41,24 +54,26 @@ bool closes(const Base& base, const Flip& flip) {
 auto wrong_flip(Shape shape, int dimension) {
   return [shape, dimension](const Base& base, Random& random) -> std::optional<Files> {
     if (base.dimension() != dimension) return std::nullopt;
-    return first_flip(base, random, shape, [](const Flip& flip) { return !flip.tie; });
+    return first_flip(base, random, shape, false, [](const Flip& flip) { return !flip.tie; });
   };
 }
 
 auto tie_flip(Shape shape, int dimension, bool in_cover) {
   return [shape, dimension, in_cover](const Base& base, Random& random) -> std::optional<Files> {
     if (base.dimension() != dimension || base.on_manifold() == in_cover) return std::nullopt;
-    return first_flip(base, random, shape, [&](const Flip& flip) { return flip.tie && !closes(base, flip); });
+    return first_flip(base, random, shape, true,
+                      [&](const Flip& flip) { return flip.tie && !closes(base, flip); });
   };
 }
 
 std::optional<Files> closing_flip(const Base& base, Random& random) {
   const Shape shape = random.below(2) == 0 ? Shape::facet : Shape::quadrilateral;
-  return first_flip(base, random, shape, [&](const Flip& flip) { return flip.tie && closes(base, flip); });
+  return first_flip(base, random, shape, true,
+                    [&](const Flip& flip) { return flip.tie && closes(base, flip); });
 }
 
 std::optional<Files> half_flip(const Base& base, Random& random) {
-  return first_flip(base, random, Shape::quadrilateral_filled, [](const Flip&) { return true; });
+  return first_flip(base, random, Shape::quadrilateral_filled, false, [](const Flip&) { return true; });
 }
 
 /// Ties decided anew wherever the flips do not meet; edges between points that no edge joined before.
@@ -69,21 +84,19 @@ std::optional<Files> many_tie_flips(const Base& base, Random& random) {
   std::vector<FileCell> come;
   std::set<std::set<ref::Vector>> added;
   std::size_t flips = 0;
-  for (const std::size_t c : random.order(base.cell_count())) {
-    for (const std::size_t i : random.order(base.corners())) {
-      std::optional<Flip> flip = facet_flip(base, draft, c, i);
-      if (!flip && base.dimension() == 3) flip = quadrilateral_flip(base, draft, c, i, false);
-      if (!flip || !flip->tie || closes(base, *flip)) continue;
-      bool free = true;
-      for (const std::size_t cell : flip->gone) free = free && touched.count(cell) == 0;
-      if (!free) continue;
-      const CrystalGroup& h = base.subgroup();
-      if (!added.insert({h.canonical(flip->from).point, h.canonical(flip->to).point}).second) continue;
-      touched.insert(flip->gone.begin(), flip->gone.end());
-      gone.insert(gone.end(), flip->gone.begin(), flip->gone.end());
-      come.insert(come.end(), flip->come.begin(), flip->come.end());
-      ++flips;
-    }
+  for (const auto& [c, i] : facets(base, random, true)) {
+    std::optional<Flip> flip = facet_flip(base, draft, c, i);
+    if (!flip && base.dimension() == 3) flip = quadrilateral_flip(base, draft, c, i, false);
+    if (!flip || !flip->tie || closes(base, *flip)) continue;
+    bool free = true;
+    for (const std::size_t cell : flip->gone) free = free && touched.count(cell) == 0;
+    if (!free) continue;
+    const CrystalGroup& h = base.subgroup();
+    if (!added.insert({h.canonical(flip->from).point, h.canonical(flip->to).point}).second) continue;
+    touched.insert(flip->gone.begin(), flip->gone.end());
+    gone.insert(gone.end(), flip->gone.begin(), flip->gone.end());
+    come.insert(come.end(), flip->come.begin(), flip->come.end());
+    ++flips;
   }
   if (flips < 2) return std::nullopt;
   draft.remove_cells(gone);

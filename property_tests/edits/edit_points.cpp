@@ -24,7 +24,7 @@ Rational power_of_half(int exponent) {
 std::optional<Files> moved_point(const Base& base, Random& random, const Rational& step,
                                  Repositioned wanted) {
   if (!base.points_are_distinct()) return std::nullopt;
-  for (int attempt = 0; attempt < 8; ++attempt) {
+  for (int attempt = 0; attempt < 3; ++attempt) {
     Draft draft(base);
     Vector& p = draft.instance().points[random.below(base.instance().points.size())];
     Vector by(base.dimension());
@@ -103,7 +103,7 @@ std::optional<Files> metric_off_slightly(const Base& base, Random& random) {
 /// Another invariant metric: the mean over the holonomy of a random change.
 auto other_metric(Repositioned wanted) {
   return [wanted](const Base& base, Random& random) -> std::optional<Files> {
-    for (int attempt = 0; attempt < 8; ++attempt) {
+    for (int attempt = 0; attempt < 3; ++attempt) {
       Draft draft(base);
       const ref::Matrix& old = base.instance().gram;
       ref::Matrix change(base.dimension());

@@ -28,7 +28,9 @@ std::vector<FileCell> cone(const FileCell& cell, FileVertex apex, std::size_t co
 /// Inside the star of the new point the lifted function is convex, as the point is lifted below the cell; so
 /// the facets of the cell decide.
 std::optional<Files> split_at_new_point(const Base& base, Random& random, bool in_a_ball) {
-  for (const std::size_t c : random.order(base.cell_count())) {
+  std::vector<std::size_t> order = random.order(base.cell_count());
+  order.resize(std::min<std::size_t>(order.size(), 20));
+  for (const std::size_t c : order) {
     for (int attempt = 0; attempt < 4; ++attempt) {
       Rational sum;
       Vector point(base.dimension());

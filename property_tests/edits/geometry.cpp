@@ -8,24 +8,28 @@ using Rows = std::vector<std::vector<Rational>>;
 
 namespace {
 
-/// By expansion along the first row.
-Rational determinant(const Rows& rows) {
-  if (rows.size() == 1) return rows[0][0];
+/// By expansion along the rows from `row` on, in the columns of the mask.
+Rational determinant(const Rows& rows, std::size_t row, unsigned columns) {
   Rational sum;
+  bool minus = false;
   for (std::size_t j = 0; j < rows.size(); ++j) {
-    if (rows[0][j].is_zero()) continue;
-    Rows minor;
-    for (std::size_t i = 1; i < rows.size(); ++i) {
-      minor.push_back(rows[i]);
-      minor.back().erase(minor.back().begin() + static_cast<std::ptrdiff_t>(j));
+    if ((columns >> j & 1U) == 0) continue;
+    if (!rows[row][j].is_zero()) {
+      const Rational term = row + 1 == rows.size()
+                                ? rows[row][j]
+                                : rows[row][j] * determinant(rows, row + 1, columns & ~(1U << j));
+      if (minus)
+        sum -= term;
+      else
+        sum += term;
     }
-    const Rational term = rows[0][j] * determinant(minor);
-    if (j % 2 == 0)
-      sum += term;
-    else
-      sum -= term;
+    minus = !minus;
   }
   return sum;
+}
+
+Rational determinant(const Rows& rows) {
+  return determinant(rows, 0, (1U << rows.size()) - 1);
 }
 
 }  // namespace

@@ -102,7 +102,7 @@ int run(const Options& options) {
   };
   Session session(options);
   if (!options.corpus.empty())
-    for (const Base& base : bases_of_folder(options.corpus, options.quick ? 70 : 700)) session.edit_all(base);
+    for (const Base& base : bases_of_folder(options.corpus, options.quick ? 30 : 600)) session.edit_all(base);
   for (std::size_t round = 0; round < options.tries; ++round)
     for (const Recipe& recipe : recipes(options.quick, round, options.seed)) {
       const std::optional<Base> base = make_base(recipe);

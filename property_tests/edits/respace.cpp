@@ -12,8 +12,8 @@ using ref::Vector;
 
 namespace {
 
-constexpr std::size_t kMostSheets = 60;
-constexpr std::size_t kCandidates = 16;
+constexpr std::size_t kMostSheets = 48;
+constexpr std::size_t kCandidates = 80;
 
 /// One lift of every cell modulo G; nothing if the cells modulo H are not all images of these under G.
 std::optional<std::vector<FileCell>> cells_modulo(const Case& c, const CrystalGroup& g,
@@ -69,11 +69,16 @@ std::optional<Case> over_small_subgroup(const Case& valid, Random& random) {
   const std::optional<std::vector<FileCell>> cells = cells_modulo(valid, g, h);
   if (!cells) return std::nullopt;
   std::vector<std::pair<std::size_t, std::vector<Isometry>>> candidates;
-  for (std::size_t k = 0; k < kCandidates; ++k) {
+  for (std::size_t count = 0; count < kCandidates; ++count) {
     std::vector<Isometry> generators;
     if (random.below(3) > 0) generators.push_back(g.element(random, 1));
-    for (int j = 0; j < g.lattice().dimension(); ++j)
-      generators.push_back(Isometry::translate(Rational(random.between(1, 4)) * g.lattice().column(j)));
+    // A random sublattice in Hermite normal form.
+    for (int j = 0; j < g.lattice().dimension(); ++j) {
+      Vector v = Rational(random.between(1, 5)) * g.lattice().column(j);
+      for (int k = j + 1; k < g.lattice().dimension(); ++k)
+        v = v + Rational(random.between(0, 3)) * g.lattice().column(k);
+      generators.push_back(Isometry::translate(v));
+    }
     const CrystalGroup candidate(valid.instance.gram, generators);
     candidates.emplace_back(g.index_of(candidate), generators);
   }
