@@ -20,7 +20,7 @@ import sys
 import tempfile
 from fractions import Fraction as F
 
-CPU_LIMIT = 60  # seconds of one program; the machine may be busy with other things
+CPU_LIMIT = 30  # seconds of one program; the machine may be busy with other things
 TIME_LIMIT = 900
 MEMORY_LIMIT = 4 << 30
 PLANAR = ["torus", "klein-bottle"]
@@ -41,20 +41,32 @@ def set_limits():
 
 class Programs:
     def __init__(self, flatdt, check, sanitized):
-        self.flatdt, self.check, self.sanitized = flatdt, check, sanitized
+        self.flatdt, self.check, self.sanitized, self.running, self.stopped = flatdt, check, sanitized, set(), False
+
+    def stop(self):
+        """Ends what runs and starts no more: one instance has gone wrong already."""
+        self.stopped = True
+        for process in list(self.running):
+            process.kill()
 
     def run(self, what, *command):
+        process = subprocess.Popen([str(c) for c in command], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                   stderr=subprocess.PIPE, text=True, preexec_fn=None if self.sanitized else set_limits)
+        self.running.add(process)
         try:
-            done = subprocess.run([str(c) for c in command], stdin=subprocess.DEVNULL, capture_output=True, text=True,
-                                  timeout=TIME_LIMIT, preexec_fn=None if self.sanitized else set_limits)
+            if self.stopped:
+                process.kill()
+            out, err = process.communicate(timeout=TIME_LIMIT)
         except subprocess.TimeoutExpired:
-            raise Failure(f"{what}: time-out") from None
-        if done.returncode in (-signal.SIGXCPU, -signal.SIGKILL):  # the soft and the hard limit
+            process.kill()
+            out, err = process.communicate()
+        self.running.discard(process)
+        if process.returncode in (-signal.SIGXCPU, -signal.SIGKILL):  # the soft limit, and all others
             raise Failure(f"{what}: time-out")
-        if done.returncode != 0:
-            lines = [line for line in done.stdout.splitlines() if " fails" in line or line.startswith("s ")]
-            raise Failure(f"{what}: exit {done.returncode}: {' | '.join(lines + done.stderr.split(chr(10))[:3])[:300]}")
-        return done.stdout
+        if process.returncode != 0:
+            lines = [line for line in out.splitlines() if " fails" in line or line.startswith("s ")]
+            raise Failure(f"{what}: exit {process.returncode}: {' | '.join(lines + err.splitlines()[:3])[:300]}")
+        return out
 
     def triangulate(self, instance, output, *options):
         what = " ".join(["triangulate", *(str(o) for o in options if not isinstance(o, pathlib.Path))])
@@ -182,12 +194,14 @@ def main():
     parser.add_argument("--sanitized", action="store_true", help="no limits of CPU time and memory")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     options = parser.parse_args()
-    work = cases(Programs(options.flatdt, options.check, options.sanitized), options.corpora, options.adversarial)
+    programs = Programs(options.flatdt, options.check, options.sanitized)
+    work = cases(programs, options.corpora, options.adversarial)
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         results = pool.map(attempt, [run for _, run in work])
         for number, ((name, _), complaint) in enumerate(zip(work, results), 1):
             if complaint:
-                pool.shutdown(wait=False, cancel_futures=True)
+                programs.stop()
+                pool.shutdown(wait=True, cancel_futures=True)
                 print(f"FAILED case {number} of {len(work)}: {name}: {complaint}")
                 return 1
     print(f"{len(work)} instances, all VERIFIED")

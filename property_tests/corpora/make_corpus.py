@@ -1032,37 +1032,24 @@ def point_moved_2d():
     return moved_grid(())
 
 
-def fine_grid(through):
-    """A grid of 101 x 3 points, one moved by 2^-60 to the right and up; `through`: the squares at it whose diagonal meets it.
-    The circle through the other three corners of a flat rectangle is steep at its corners' heights: the moved point enters
-    the circles of the squares above it and leaves those of the squares below."""
-    columns, rows = 101, 3
-    points = {(i, j): (F(i, columns), F(j, rows)) for i, j in grid(columns, rows)}
-    moved = (50, 1)
-    points[moved] = tuple(x + F(1, 2 ** 60) for x in points[moved])
-    sheet = Drawing(torus(list(points.values())))
-    at = lambda c: tuple(x + k // n for x, k, n in zip(points[c[0] % columns, c[1] % rows], c, (columns, rows)))
-    for c in grid(columns, rows):
-        place = moved[0] - c[0], moved[1] - c[1]
-        rising = place in ((0, 0), (1, 1))  # the diagonals (0,0)-(1,1) of these squares meet the moved point
-        meets = place in through
-        mirror = (0,) if place in ((0, 0), (1, 0), (0, 1), (1, 1)) and rising != meets else ()
-        sheet.add(*([at(x) for x in cell] for cell in kuhn(c, mirror)))
-    return sheet.instance, sheet.tri
-
-
-@entry("valid")
-def fine_grid_point_moved_2d():
-    """A fine grid of which one point was moved by 2^-60: far less than the coordinates' rounding to doubles, and the squares
-    are so small that nothing else hides that rounding."""
-    return fine_grid({(0, 0), (1, 0)})
+# A rotated square of side 5/(3 * 2^16) about (1/3, 1/7), one corner of which was moved inwards by 2^-80: its diagonal through
+# that corner is the Delaunay edge. Rounded to doubles, the corners move by more than that and by different amounts, and their
+# differences are exact: only the error of the coordinates themselves can tell that the rounded square decides nothing.
+CLOSE = [(F(1, 3) + F(x, 3 * 2 ** 16), F(1, 7) + F(y, 3 * 2 ** 16)) for x, y in ((3, 4), (-4, 3), (-3, -4), (4, -3))]
+CLOSE[2] = tuple(x + F(1, 2 ** 80) for x in CLOSE[2])
+CLOSE_POINTS = engine_file("torus-close-points", torus(kronecker(2, 24) + CLOSE), False)
 
 
 @entry(DE, DE)
-def _2d_fine_grid_point_moved():
-    """The fine grid with its moved point and a diagonal that does not respect the move, by less than the rounding of the
-    coordinates to doubles."""
-    return fine_grid({(0, 0), (1, 0), (0, 1)})
+def _2d_close_points():
+    """torus-close-points with the other diagonal in its small square: wrong by 2^-80."""
+    i, t = CLOSE_POINTS()
+    small = {24, 25, 26, 27}
+    for u in flips(i, t, "2-2"):
+        gone = [c for c in t.cells if c not in u.cells]
+        if all({k for k, _ in c} < small for c in gone):
+            return i, u
+    raise AssertionError("no such flip")
 
 
 @entry(DE, DE)
@@ -1206,7 +1193,7 @@ def suspended_torus():
     rim = [(F(k), F(k * k % 7), F(k ** 3, 343)) for k in range(7)]
     north, south = (F(0), F(0), F(8)), (F(9), F(1), F(-5))
     faces = [[rim[(i + k) % 7] for k in (0, step, 3)] for i in range(7) for step in (1, 2)]
-    return north, [north, south, *rim], [[apex, *face] for apex in (north, south) for face in faces]
+    return (north, south), [north, south, *rim], [[apex, *face] for apex in (north, south) for face in faces]
 
 
 def of_their_volume(points, cells):
@@ -1223,12 +1210,14 @@ def _3d_torus_as_link():
     return of_their_volume(points, cells)
 
 
-@entry(LS, f"{FO} {DE} {LS} {TC} {TE} {TH}")
+@entry(LS, f"{FO} {DE} {LS} {TC} {TH}")
 def _3d_torus_and_sphere_as_link():
-    """The same and a 3-sphere that meet in one vertex: its link, a torus and a sphere, has the Euler number of a sphere."""
-    north, p, a = suspended_torus()
-    q, b = bipyramid_pillow(north)
-    return of_their_volume(list(dict.fromkeys(p + q)), a + b)
+    """The same with a 3-sphere at each apex: its link, a torus and a sphere, has the Euler number of a sphere."""
+    apexes, points, cells = suspended_torus()
+    for apex in apexes:
+        more, pillow = bipyramid_pillow(apex)
+        points, cells = points + more, cells + pillow
+    return of_their_volume(list(dict.fromkeys(points)), cells)
 
 
 @entry(LS, f"{V} {FO} {VE} {LS} {TC} {TE} {TH}")

@@ -109,6 +109,7 @@ DETECTORS = {
         gtest("ref_group_delta_test"),
         Detector("agreement", ["flatdt", "flatdt-check"], run_script,
                  ("python3", "property_tests/agreement_test.py", "FLATDT", "CHECK", "corpora", "--jobs", "JOBS")),
+        gtest("ref_quotient_insertion_test"),
         gtest("ref_predicates_test"),
         gtest("ref_cover_test"),
         gtest("ref_families_degeneracy_test"),

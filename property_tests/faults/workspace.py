@@ -54,10 +54,9 @@ class Workspace:
         """Copies the tree, configures and builds. `targets` is a function of the set of existing targets."""
         self.folder.mkdir(parents=True, exist_ok=True)
         self._copy_tree()
-        generator = ["-G", "Ninja"] if shutil.which("ninja") else []
         if not (self.build / "CMakeCache.txt").exists():
             top, optimisation = COMPONENTS[self.component]
-            self._must("configuring", ["cmake", "-S", self.source / top, "-B", self.build, *generator, *SETTINGS,
+            self._must("configuring", ["cmake", "-S", self.source / top, "-B", self.build, "-G", "Ninja", *SETTINGS,
                                        f"-DCMAKE_CXX_FLAGS={optimisation} -D_GLIBCXX_ASSERTIONS -w"])
         else:
             self._must("configuring", ["cmake", self.build])
