@@ -6,38 +6,17 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iostream>
-#include <random>
 #include <sstream>
 
+#include "checked.hpp"
 #include "rapidcheck_generators.hpp"
 
 namespace flatdt::property_tests {
 namespace {
 
-/// The seed of continuous integration. RapidCheck mixes the test's name into it.
-constexpr std::uint64_t kSeed = 20110613;
-
 const char* environment(const char* name) {
   const char* value = std::getenv(name);
   return value != nullptr && *value != '\0' ? value : nullptr;
-}
-
-bool asked_in_rc_params(const char* key) {
-  const char* params = environment("RC_PARAMS");
-  return params != nullptr && std::string(params).find(key) != std::string::npos;
-}
-
-rc::detail::TestParams parameters(int cases) {
-  rc::detail::TestParams params = rc::detail::configuration().testParams;
-  if (!asked_in_rc_params("max_success")) params.maxSuccess = cases * effort();
-  if (environment("FLATDT_FRESH_SEED") != nullptr) {
-    params.seed = (std::uint64_t{std::random_device{}()} << 32) | std::random_device{}();
-    std::cout << "seed of the day: RC_PARAMS=\"seed=" << params.seed << "\"\n";
-  } else if (!asked_in_rc_params("seed")) {
-    params.seed = kSeed;
-  }
-  return params;
 }
 
 std::string test_name() {
@@ -115,11 +94,6 @@ std::vector<std::filesystem::path> kept_counterexamples() {
 
 }  // namespace
 
-int effort() {
-  const char* text = environment("FLATDT_EFFORT");
-  return text == nullptr ? 1 : std::max(1, std::atoi(text));
-}
-
 Domain domain_of(std::vector<std::string> manifolds) {
   Domain domain;
   domain.manifolds = std::move(manifolds);
@@ -141,21 +115,9 @@ int for_all(const Trials& trials, const Property& property) {
   for (const auto& file : kept_counterexamples())
     if (fits(file, trials.domain)) check_file(file, observed);
 
-  const std::string test = test_name();
-  const auto specimens = testing::specimens(trials.domain);
-  const auto result =
-      rc::detail::checkTestable([&] { observed(*specimens.as("specimen")); },
-                                rc::detail::TestMetadata{test, test}, parameters(trials.cases));
-  if (result.is<rc::detail::SuccessResult>()) {
-    const int cases = result.get<rc::detail::SuccessResult>().numSuccess;
-    std::cout << cases << " cases\n";
-    ::testing::Test::RecordProperty("cases", cases);
-    return cases;
-  }
-  std::ostringstream message;
-  rc::detail::printResultMessage(result, message);
-  ADD_FAILURE() << message.str() << "\nkept as " << observed.keep(test);
-  return 0;
+  const auto specimens = testing::specimens(trials.domain).as("specimen");
+  return check_property(
+      trials.cases, [&] { observed(*specimens); }, [&] { return "kept as " + observed.keep(test_name()); });
 }
 
 }  // namespace flatdt::property_tests

@@ -2,35 +2,12 @@
 
 #include <algorithm>
 
+#include "geometry.hpp"
 #include "metrics.hpp"
 #include "require.hpp"
 
 namespace flatdt::property_tests {
-namespace {
-
 using ref::Integer;
-
-struct Sphere {
-  Vector centre;
-  Rational squared_radius;
-};
-
-/// 2 (p_k - p_0)^T G c' = |p_k - p_0|^2, c = p_0 + c'.
-Sphere circumsphere(const Matrix& gram, const CellCorners& cell) {
-  const int d = gram.dimension();
-  Matrix rows(d);
-  Vector lengths(d);
-  for (int k = 0; k < d; ++k) {
-    const Vector a = cell[static_cast<std::size_t>(k) + 1] - cell[0];
-    const Vector ga = gram * a;
-    for (int j = 0; j < d; ++j) rows(k, j) = Rational(2) * ga[j];
-    lengths[k] = inner_product(gram, a, a);
-  }
-  const Vector c = rows.inverse() * lengths;
-  return {cell[0] + c, squared_length(gram, c)};
-}
-
-}  // namespace
 
 Quotient::Quotient(const Specimen& specimen)
     : cosets_(testing::cosets_of(testing::catalogue_generators(specimen))) {}
@@ -95,7 +72,9 @@ Folded fold(const Quotient& quotient, const std::vector<CellCorners>& cells) {
 Tessellation tessellate(const Quotient& quotient, const Matrix& gram, const Folded& folded) {
   Tessellation result;
   for (const auto& [barycentre, cell] : folded.cells) {
-    const Sphere sphere = circumsphere(gram, cell);
+    const std::optional<Sphere> ball = circumsphere(gram, cell);
+    require(ball.has_value(), "a cell is flat");
+    const Sphere& sphere = *ball;
     const Quotient::Canonical canonical = quotient.canonical(sphere.centre);
     Polytope& polytope = result[canonical.point];
     require(polytope.vertices.empty() || polytope.squared_radius == sphere.squared_radius,
