@@ -16,20 +16,30 @@ namespace {
 /// The seed of continuous integration. RapidCheck mixes the test's name into it.
 constexpr std::uint64_t kSeed = 20110613;
 
-bool asked_in_rc_params(const char* key) {
-  const char* params = std::getenv("RC_PARAMS");
-  return params != nullptr && std::string(params).find(key) != std::string::npos;
+bool is_set(const std::string& params, const char* key) {
+  return params.find(key) != std::string::npos;
+}
+
+/// RC_PARAMS with a seed: the fixed one, or one of the day, if none is given. RapidCheck prints what it uses.
+std::string settled_params() {
+  const char* given = std::getenv("RC_PARAMS");
+  std::string params = given == nullptr ? "" : given;
+  if (!is_set(params, "seed=")) {
+    std::uint64_t seed = kSeed;
+    if (std::getenv("FLATDT_FRESH_SEED") != nullptr) {
+      seed = (std::uint64_t{std::random_device{}()} << 32) | std::random_device{}();
+      std::cout << "seed of the day: RC_PARAMS=\"seed=" << seed << "\"\n";
+    }
+    params += " seed=" + std::to_string(seed);
+    ::setenv("RC_PARAMS", params.c_str(), 1);
+  }
+  return params;
 }
 
 rc::detail::TestParams parameters(int cases) {
+  static const std::string settled = settled_params();
   rc::detail::TestParams params = rc::detail::configuration().testParams;
-  if (!asked_in_rc_params("max_success")) params.maxSuccess = cases * effort();
-  if (std::getenv("FLATDT_FRESH_SEED") != nullptr) {
-    params.seed = (std::uint64_t{std::random_device{}()} << 32) | std::random_device{}();
-    std::cout << "seed of the day: RC_PARAMS=\"seed=" << params.seed << "\"\n";
-  } else if (!asked_in_rc_params("seed")) {
-    params.seed = kSeed;
-  }
+  if (!is_set(settled, "max_success=")) params.maxSuccess = cases * effort();
   return params;
 }
 

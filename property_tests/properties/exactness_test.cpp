@@ -191,7 +191,7 @@ TEST(Exactness, StagesAgreeInThePlane) {
   run_stages(600, plane());
 }
 TEST(Exactness, StagesAgreeInSpace) {
-  run_stages(600, space());
+  run_stages(250, space());
 }
 
 TEST(Exactness, SameBytesInThePlane) {

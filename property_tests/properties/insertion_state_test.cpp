@@ -157,10 +157,13 @@ struct InsertCopy : Base<D> {
 /// The missing copies of some sites, orbit by orbit, each in a random order; on the manifold one copy.
 template <int D>
 struct InsertOrbits : Base<D> {
-  std::size_t count = *rc::gen::inRange<std::size_t>(1, 7);
+  std::size_t count = 0;
   std::uint64_t order = *rc::gen::inRange<std::uint64_t>(0, 1000);
 
-  explicit InsertOrbits(const Model& m) { RC_PRE(!m.incomplete_sites().empty()); }
+  explicit InsertOrbits(const Model& m) {
+    RC_PRE(!m.incomplete_sites().empty());
+    count = *rc::gen::inRange<std::size_t>(1, m.incomplete_sites().size() + 1);
+  }
   void checkPreconditions(const Model& m) const override { RC_PRE(!m.incomplete_sites().empty()); }
   [[nodiscard]] std::vector<std::size_t> sites(const Model& m) const {
     std::vector<std::size_t> chosen = m.incomplete_sites();
@@ -250,10 +253,10 @@ TEST(InsertionStates, FewPointsOfThePlane) {
 }
 
 TEST(InsertionStates, SwitchInThePlane) {
-  testing::Domain domain = torus_and_klein_bottle(40);
-  domain.manifolds = {"torus"};
+  testing::Domain domain = torus_and_klein_bottle(60);
   domain.other_metrics = false;
-  EXPECT_GT(run_sequences<2>(20, 20, domain), 2);
+  domain.rules = {"uniform", "grid", "lattice"};
+  EXPECT_GT(run_sequences<2>(40, 12, domain), 5);
 }
 
 TEST(InsertionStates, Space) {
