@@ -161,6 +161,7 @@ Specimen draw_specimen(const Domain& domain, std::uint64_t seed, int size) {
     if (random.one_in(3)) specimen.coordinates.translation = draw_origin(d, random);
   }
   specimen.naming = static_cast<Naming>(random.below(3));
+  if (random.one_in(3)) specimen.alias = random.of(specimen.entry->aliases);
   specimen.choice = random.below(1000);
   return specimen;
 }

@@ -93,12 +93,17 @@ void add_simpler_points(const Specimen& s, std::vector<Specimen>& result) {
 }  // namespace
 
 std::vector<Rational> simpler(const Rational& x) {
-  std::vector<Rational> candidates{Rational(0), x - Rational(floor(x))};
-  const Rational inside = candidates[1];
-  for (const long q : {2L, 3L, 4L, 5L, 6L, 8L, 12L, 16L, 64L, 1024L})
-    candidates.emplace_back(round_half_up(Rational(q) * inside), Integer(q));
-  Integer half = floor_div(inside.denominator(), Integer(2));
-  if (!half.is_zero()) candidates.emplace_back(round_half_up(Rational(half) * inside), half);
+  const Rational inside = x - Rational(floor(x));
+  std::vector<Rational> candidates{Rational(0), inside};
+  for (const Rational& y : {inside, x}) {
+    for (const long q : {1L, 2L, 3L, 4L, 5L, 6L, 8L, 12L, 16L, 64L, 1024L})
+      candidates.emplace_back(round_half_up(Rational(q) * y), Integer(q));
+    const Integer half = floor_div(y.denominator(), Integer(2));
+    if (!half.is_zero()) candidates.emplace_back(round_half_up(Rational(half) * y), half);
+  }
+  candidates.emplace_back(floor_div(x.numerator(), Integer(2)), x.denominator());
+  candidates.push_back(x - Rational(1));
+  candidates.push_back(x + Rational(1));
   std::vector<Rational> result;
   for (const Rational& c : candidates)
     if (precedes(c, x) && std::find(result.begin(), result.end(), c) == result.end()) result.push_back(c);
@@ -133,6 +138,7 @@ std::vector<Specimen> simpler(const Specimen& s, const Domain& domain) {
   t.generators = catalogue_generators(s);
   t.gram = s.entry->canonical_gram;
   t.naming = Naming::name_only;
+  t.alias.clear();
   candidates.push_back(t);
   add_fewer_points(s, candidates);
   t.gram = s.gram;
@@ -148,6 +154,9 @@ std::vector<Specimen> simpler(const Specimen& s, const Domain& domain) {
   candidates.push_back(t);
   t = s;
   t.naming = Naming::name_only;
+  candidates.push_back(t);
+  t = s;
+  t.alias.clear();
   candidates.push_back(t);
   add_metrics(s, candidates);
   add_simpler_points(s, candidates);

@@ -11,8 +11,8 @@
 
 namespace flatdt::testing {
 
-/// Numbers simpler than x, simplest first: 0, x mod 1, and the best approximations of x mod 1 with smaller
-/// denominators. Each has a smaller denominator, or the same and a smaller absolute numerator.
+/// Numbers simpler than x: 0, x mod 1, approximations of both with small denominators, x / 2 and x -+ 1.
+/// Each has a smaller denominator, or the same and a smaller absolute numerator.
 std::vector<ref::Rational> simpler(const ref::Rational& x);
 
 /// Specimens simpler than s that stay in the domain, the boldest first: a simpler manifold; catalogue

@@ -21,12 +21,16 @@ const std::vector<Isometry>& catalogue_generators(const Specimen& specimen) {
   return ref::generators_of(*specimen.entry, name_of(specimen));
 }
 
+bool means_mirror_image(const ref::CatalogueEntry& entry, const std::string& name) {
+  return std::find(entry.mirror_aliases.begin(), entry.mirror_aliases.end(), name) !=
+         entry.mirror_aliases.end();
+}
+
 Specimen empty_specimen(const std::string& manifold) {
   Specimen specimen;
   specimen.entry = ref::find_entry(manifold);
   if (specimen.entry == nullptr) throw std::invalid_argument("no manifold is called " + manifold);
-  const auto& mirror = specimen.entry->mirror_aliases;
-  specimen.mirrored = std::find(mirror.begin(), mirror.end(), manifold) != mirror.end();
+  specimen.mirrored = means_mirror_image(*specimen.entry, manifold);
   specimen.gram = specimen.entry->canonical_gram;
   specimen.generators = catalogue_generators(specimen);
   specimen.coordinates = Isometry::identity(specimen.dimension());
@@ -39,7 +43,12 @@ ref::Instance instance_of(const Specimen& specimen) {
   ref::Instance instance;
   instance.dimension = specimen.dimension();
   instance.generators_given = specimen.naming != Naming::name_only || !plain;
-  if (specimen.naming != Naming::generators_only) instance.name = name_of(specimen);
+  if (specimen.naming != Naming::generators_only) {
+    const bool in_force =
+        !specimen.alias.empty() && (instance.generators_given ||
+                                    means_mirror_image(*specimen.entry, specimen.alias) == specimen.mirrored);
+    instance.name = in_force ? specimen.alias : name_of(specimen);
+  }
   const Isometry back = specimen.coordinates.inverse();
   for (const Isometry& g : specimen.generators)
     instance.generators.push_back(back * g * specimen.coordinates);
@@ -56,6 +65,7 @@ Specimen specimen_of(const ref::Instance& instance) {
   specimen.entry = frame.entry;
   specimen.mirrored = frame.mirrored;
   specimen.family = "given";
+  specimen.alias = instance.name.value_or("");
   const Isometry to_instance = Isometry{frame.basis, frame.origin} *
                                Isometry{frame.to_catalogue.inverse(), Vector(instance.dimension)};
   specimen.coordinates = to_instance.inverse();

@@ -33,16 +33,22 @@ struct Specimen {
   ref::Isometry coordinates{ref::Matrix(0), ref::Vector(0)};
   /// name_only is in force only where the coordinates and the generators are the catalogue's.
   Naming naming = Naming::name_only;
+  /// The name or alias that the file has; empty: name_of. Not in force where the file has the name only and
+  /// this one would mean the mirror image.
+  std::string alias;
   /// A number from which a property makes choices of its own (a permutation, a subgroup).
   std::uint64_t choice = 0;
 
   [[nodiscard]] int dimension() const { return entry->dimension; }
 };
 
-/// The name that an instance claims: the entry's, or the mirror image's alias.
+/// The entry's name, or the mirror image's alias: with it alone an instance has the right group.
 std::string name_of(const Specimen& specimen);
 /// The catalogue's generators of name_of(specimen).
 const std::vector<ref::Isometry>& catalogue_generators(const Specimen& specimen);
+
+/// Does the name mean the mirror image of the entry where no generators are given?
+bool means_mirror_image(const ref::CatalogueEntry& entry, const std::string& name);
 
 /// A specimen of a manifold, by name or alias, without points: catalogue metric, generators and coordinates.
 /// Requires: the name exists.

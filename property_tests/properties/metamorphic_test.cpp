@@ -178,49 +178,49 @@ void passed_to_a_subgroup(const Specimen& s) {
 }
 
 TEST(Metamorphic, AnyOrderSeedInThePlane) {
-  for_all({100, plane()}, any_order_seed);
+  for_all({60, plane()}, any_order_seed);
 }
 TEST(Metamorphic, AnyOrderSeedInSpace) {
-  for_all({8, space()}, any_order_seed);
+  for_all({6, space()}, any_order_seed);
 }
 TEST(Metamorphic, AnyWorkingCover) {
-  for_all({60, plane()}, any_working_cover);
+  for_all({40, plane()}, any_working_cover);
 }
 TEST(Metamorphic, PermutedPointsInThePlane) {
-  for_all({100, plane()}, permuted_points);
+  for_all({60, plane()}, permuted_points);
 }
 TEST(Metamorphic, PermutedPointsInSpace) {
-  for_all({8, space()}, permuted_points);
+  for_all({6, space()}, permuted_points);
 }
 TEST(Metamorphic, OtherRepresentativesInThePlane) {
-  for_all({60, plane()}, other_representatives);
+  for_all({40, plane()}, other_representatives);
 }
 TEST(Metamorphic, OtherRepresentativesInSpace) {
   for_all({6, space()}, other_representatives);
 }
 TEST(Metamorphic, ScaledInThePlane) {
-  for_all({60, plane()}, scaled);
+  for_all({40, plane()}, scaled);
 }
 TEST(Metamorphic, ScaledInSpace) {
   for_all({6, space()}, scaled);
 }
 TEST(Metamorphic, OtherCoordinatesInThePlane) {
-  for_all({60, plane()}, other_coordinates);
+  for_all({40, plane()}, other_coordinates);
 }
 TEST(Metamorphic, OtherCoordinatesInSpace) {
-  for_all({8, space()}, other_coordinates);
+  for_all({6, space()}, other_coordinates);
 }
 TEST(Metamorphic, MovedByAnIsometryInThePlane) {
-  for_all({60, plane()}, moved_by_an_isometry);
+  for_all({40, plane()}, moved_by_an_isometry);
 }
 TEST(Metamorphic, MovedByAnIsometryInSpace) {
-  for_all({8, space()}, moved_by_an_isometry);
+  for_all({6, space()}, moved_by_an_isometry);
 }
 TEST(Metamorphic, MirroredInThePlane) {
-  for_all({60, plane()}, mirrored);
+  for_all({40, plane()}, mirrored);
 }
 TEST(Metamorphic, MirroredInSpace) {
-  for_all({8, space()}, mirrored);
+  for_all({6, space()}, mirrored);
 }
 TEST(Metamorphic, PassedToASubgroupInThePlane) {
   for_all({60, plane()}, passed_to_a_subgroup);
@@ -228,7 +228,7 @@ TEST(Metamorphic, PassedToASubgroupInThePlane) {
 TEST(Metamorphic, PassedToASubgroupInSpace) {
   Domain domain = space();
   domain.max_points_in_space = 2;
-  for_all({8, domain}, passed_to_a_subgroup);
+  for_all({6, domain}, passed_to_a_subgroup);
 }
 
 }  // namespace

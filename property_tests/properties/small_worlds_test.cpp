@@ -26,11 +26,11 @@ struct Grid {
 /// Each grid is mapped to itself by its group.
 const std::vector<Grid>& grids() {
   static const std::vector<Grid> kGrids = {
-      {"torus", {6, 6, 1}, {10, 10, 1}, 10},           {"klein-bottle", {4, 6, 1}, {8, 8, 1}, 10},
-      {"torocosm", {3, 3, 3}, {4, 4, 4}, 10},          {"dicosm", {2, 2, 4}, {4, 4, 4}, 10},
+      {"torus", {5, 5, 1}, {10, 10, 1}, 10},           {"klein-bottle", {4, 6, 1}, {8, 8, 1}, 10},
+      {"torocosm", {3, 3, 3}, {4, 4, 4}, 10},          {"dicosm", {2, 2, 2}, {4, 4, 4}, 10},
       {"tricosm", {2, 2, 3}, {3, 3, 3}, 10},           {"tetracosm", {2, 2, 4}, {3, 3, 4}, 10},
       {"hexacosm", {2, 2, 6}, {3, 3, 6}, 10},          {"didicosm", {2, 2, 4}, {4, 4, 4}, 10},
-      {"first-amphicosm", {2, 2, 4}, {4, 4, 4}, 10},   {"second-amphicosm", {2, 2, 4}, {4, 4, 4}, 10},
+      {"first-amphicosm", {2, 2, 2}, {4, 4, 4}, 10},   {"second-amphicosm", {2, 2, 2}, {4, 4, 4}, 10},
       {"first-amphidicosm", {2, 2, 4}, {4, 4, 4}, 10}, {"second-amphidicosm", {2, 2, 4}, {4, 4, 4}, 10},
   };
   return kGrids;
@@ -65,9 +65,11 @@ TEST_P(SmallWorlds, EveryPointSetIsVerified) {
       }
     }
   }
-  std::cout << "; " << instances << " instances, as many by Burnside's lemma; " << on_manifold
-            << " on the manifold itself, " << compared << " compared with the oracle; "
-            << static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC << " s\n";
+  // A simplicial torus has at least 7 vertices, a Klein bottle 8, a 3-manifold that is no sphere more than 4.
+  EXPECT_EQ(on_manifold, 0U);
+  std::cout << "; " << instances << " instances, as many by Burnside's lemma; " << compared
+            << " compared with the oracle; " << static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC
+            << " s\n";
 }
 
 INSTANTIATE_TEST_SUITE_P(Grids, SmallWorlds, ::testing::ValuesIn(grids()), [](const auto& parameter) {

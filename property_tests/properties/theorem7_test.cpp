@@ -77,7 +77,11 @@ void require_witness(const Specimen& s, const ref::Instance& instance, const Sta
   }
 }
 
-void both_ways(const Specimen& s) {
+struct Visits {
+  int on_manifold = 0, loops = 0, two_cycles_only = 0, not_invariant = 0;
+};
+
+void both_ways(const Specimen& s, Visits& visits) {
   const ref::Instance instance = instance_of(s);
   const ref::TriangulationResult result = triangulate(instance);
   const Quotient quotient(s);
@@ -87,6 +91,7 @@ void both_ways(const Specimen& s) {
     require(result.reason && result.reason->kind == StayedInCover::Kind::not_invariant,
             "the triangulation is not invariant under the group, and the reference does not say so");
     require(s.entry->name == "didicosm", "only the didicosm's tie order is not invariant");
+    ++visits.not_invariant;
     return;
   }
   const Skeleton edges = skeleton(quotient, folded);
@@ -103,10 +108,11 @@ void both_ways(const Specimen& s) {
   const checker::Verdict verdict =
       judge(instance, claimed_for_the_manifold(s, instance, result.triangulation));
   require_statuses(verdict, loop, two_cycle);
+  ++(loop ? visits.loops : two_cycle ? visits.two_cycles_only : visits.on_manifold);
 }
 
 /// Without ties: a cover that always carries a triangulation (translations by 3L) decides about the manifold.
-void decided_in_a_cover(const Specimen& s) {
+void decided_in_a_cover(const Specimen& s, int& decided) {
   const ref::Instance instance = instance_of(s);
   const ref::TriangulationResult on_manifold = triangulate(instance);
   std::vector<Isometry> multiples;
@@ -125,10 +131,11 @@ void decided_in_a_cover(const Specimen& s) {
   const Skeleton edges = skeleton(quotient, folded);
   require(on_manifold.reason.has_value() == (has_loop(quotient, edges) || has_two_cycle(quotient, edges)),
           "Theorem 7, from the triangulation of a cover");
+  ++decided;
 }
 
 /// A triangulation of the manifold is one of each of its covers.
-void lifts_to_covers(const Specimen& s) {
+void lifts_to_covers(const Specimen& s, int& lifts) {
   const ref::Instance instance = instance_of(s);
   ref::Triangulation t = triangulate(instance).triangulation;
   if (t.has_subgroup) return;
@@ -150,25 +157,48 @@ void lifts_to_covers(const Specimen& s) {
   }
   require(cover.instance.points.size() == cover.index * n, "a point for each coset");
   require_verified(instance, lifted);
+  ++lifts;
 }
 
 TEST(Theorem7, BothWaysInThePlane) {
-  for_all({200, plane()}, both_ways);
+  Domain domain = plane();
+  domain.max_points_in_plane = 30;
+  domain.max_stretch_in_plane = 4;
+  Visits visits;
+  if (for_all({150, domain}, [&](const Specimen& s) { both_ways(s, visits); }) == 0) return;
+  EXPECT_GT(visits.on_manifold, 10);
+  EXPECT_GT(visits.loops, 10);
+  EXPECT_GT(visits.two_cycles_only, 10);
 }
 TEST(Theorem7, BothWaysInSpace) {
-  for_all({20, space()}, both_ways);
+  Visits visits;
+  for_all({20, space()}, [&](const Specimen& s) { both_ways(s, visits); });
+}
+TEST(Theorem7, BothWaysWithTiesOfTheDidicosm) {
+  Domain domain = domain_of({"didicosm"});
+  domain.max_points_in_space = 2;
+  domain.other_metrics = false;
+  domain.rules = {testing::kSmallGridRule, "on-axis"};
+  Visits visits;
+  if (for_all({15, domain}, [&](const Specimen& s) { both_ways(s, visits); }) == 0) return;
+  EXPECT_GT(visits.not_invariant, 0);
+  EXPECT_GT(visits.loops + visits.two_cycles_only, 0);
 }
 TEST(Theorem7, DecidedInACover) {
   Domain domain = plane();
   domain.max_points_in_plane = 8;
   domain.max_stretch_in_plane = 3;
-  for_all({40, domain}, decided_in_a_cover);
+  int decided = 0;
+  if (for_all({40, domain}, [&](const Specimen& s) { decided_in_a_cover(s, decided); }) == 0) return;
+  EXPECT_GT(decided, 10);
 }
 TEST(Theorem7, LiftsToCovers) {
   Domain domain = plane();
   domain.max_points_in_plane = 40;
   domain.max_stretch_in_plane = 2;
-  for_all({60, domain}, lifts_to_covers);
+  int lifts = 0;
+  if (for_all({60, domain}, [&](const Specimen& s) { lifts_to_covers(s, lifts); }) == 0) return;
+  EXPECT_GT(lifts, 10);
 }
 
 }  // namespace
