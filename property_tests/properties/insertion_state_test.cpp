@@ -121,6 +121,12 @@ struct System {
   ref::PeriodicDelaunay<D> level;
 };
 
+/// Uniform in [0, n), whatever the size that a sequence is drawn with.
+template <class T>
+rc::Gen<T> any_below(T n) {
+  return rc::gen::resize(rc::kNominalSize, rc::gen::inRange<T>(0, n));
+}
+
 template <int D>
 using Base = rc::state::Command<Model, System<D>>;
 
@@ -158,11 +164,11 @@ struct InsertCopy : Base<D> {
 template <int D>
 struct InsertOrbits : Base<D> {
   std::size_t count = 0;
-  std::uint64_t order = *rc::gen::inRange<std::uint64_t>(0, 1000);
+  std::uint64_t order = *any_below<std::uint64_t>(1000);
 
   explicit InsertOrbits(const Model& m) {
     RC_PRE(!m.incomplete_sites().empty());
-    count = *rc::gen::inRange<std::size_t>(1, m.incomplete_sites().size() + 1);
+    count = 1 + *any_below(m.incomplete_sites().size());
   }
   void checkPreconditions(const Model& m) const override { RC_PRE(!m.incomplete_sites().empty()); }
   [[nodiscard]] std::vector<std::size_t> sites(const Model& m) const {
@@ -196,7 +202,7 @@ struct Locate : Base<D> {
   std::size_t site = 0;
   bool from_afar = *rc::gen::arbitrary<bool>();
 
-  explicit Locate(const Model& m) : site(*rc::gen::inRange<std::size_t>(0, m.present.size())) {}
+  explicit Locate(const Model& m) : site(*any_below(m.present.size())) {}
   void run(const Model&, System<D>& system) const override {
     const SiteId id{static_cast<std::uint32_t>(site)};
     require_in_closure<D>(system.engine, system.level, id, system.locate(id, 0, from_afar));
@@ -249,21 +255,22 @@ testing::Domain torus_and_klein_bottle(long points) {
 }
 
 TEST(InsertionStates, FewPointsOfThePlane) {
-  run_sequences<2>(30, 10, torus_and_klein_bottle(6));
+  run_sequences<2>(60, 10, torus_and_klein_bottle(6));
 }
 
 TEST(InsertionStates, SwitchInThePlane) {
   testing::Domain domain = torus_and_klein_bottle(60);
   domain.other_metrics = false;
   domain.rules = {"uniform", "grid", "lattice"};
-  EXPECT_GT(run_sequences<2>(40, 12, domain), 5);
+  const int on_manifold = run_sequences<2>(60, 12, domain);
+  EXPECT_GT(on_manifold, 2);
 }
 
 TEST(InsertionStates, Space) {
   testing::Domain domain;
   domain.manifolds = {"torocosm", "dicosm", "second-amphicosm", "didicosm"};
   domain.max_points_in_space = 3;
-  run_sequences<3>(4, 4, domain);
+  run_sequences<3>(8, 5, domain);
 }
 
 }  // namespace

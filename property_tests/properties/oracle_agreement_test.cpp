@@ -17,7 +17,7 @@ TEST(OracleAgreement, Plane) {
   for_all({100, plane()}, equals_oracle);
 }
 TEST(OracleAgreement, Space) {
-  for_all({15, space()}, equals_oracle);
+  for_all({10, space()}, equals_oracle);
 }
 
 }  // namespace

@@ -21,6 +21,7 @@ struct Grid {
   std::array<long, 3> large_divisions;
   /// Every how manieth point set is given to the oracle.
   std::size_t oracle_stride;
+  friend std::ostream& operator<<(std::ostream& out, const Grid& grid) { return out << grid.manifold; }
 };
 
 /// Each grid is mapped to itself by its group.

@@ -162,7 +162,7 @@ void lifts_to_covers(const Specimen& s, int& lifts) {
 
 TEST(Theorem7, BothWaysInThePlane) {
   Domain domain = plane();
-  domain.max_points_in_plane = 30;
+  domain.max_points_in_plane = 45;
   domain.max_stretch_in_plane = 4;
   Visits visits;
   if (for_all({150, domain}, [&](const Specimen& s) { both_ways(s, visits); }) == 0) return;
@@ -172,7 +172,7 @@ TEST(Theorem7, BothWaysInThePlane) {
 }
 TEST(Theorem7, BothWaysInSpace) {
   Visits visits;
-  for_all({20, space()}, [&](const Specimen& s) { both_ways(s, visits); });
+  for_all({12, space()}, [&](const Specimen& s) { both_ways(s, visits); });
 }
 TEST(Theorem7, BothWaysWithTiesOfTheDidicosm) {
   Domain domain = domain_of({"didicosm"});
@@ -194,7 +194,7 @@ TEST(Theorem7, DecidedInACover) {
 }
 TEST(Theorem7, LiftsToCovers) {
   Domain domain = plane();
-  domain.max_points_in_plane = 40;
+  domain.max_points_in_plane = 70;
   domain.max_stretch_in_plane = 2;
   int lifts = 0;
   if (for_all({60, domain}, [&](const Specimen& s) { lifts_to_covers(s, lifts); }) == 0) return;
