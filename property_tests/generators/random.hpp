@@ -1,0 +1,48 @@
+/// Pseudo-random numbers that are the same on every machine (the standard library's distributions are not).
+/// Source: SplitMix64 [Steele, Lea & Flood 2014, fig. 17].
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "flatdt/ref/exact.hpp"
+
+namespace flatdt::testing {
+
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : state_(seed) {}
+
+  std::uint64_t next() {
+    std::uint64_t z = (state_ += 0x9e3779b97f4a7c15ULL);
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
+    return z ^ (z >> 31);
+  }
+  /// In [0, n), n > 0; uniform up to n / 2^64.
+  std::uint64_t below(std::uint64_t n) { return next() % n; }
+  /// In [low, high]. Requires: low <= high.
+  long between(long low, long high) {
+    return low + static_cast<long>(below(static_cast<std::uint64_t>(high - low) + 1));
+  }
+  bool one_in(std::uint64_t n) { return below(n) == 0; }
+  /// numerator / denominator, the numerator in [low, high].
+  ref::Rational fraction(long low, long high, long denominator) {
+    return {ref::Integer(between(low, high)), ref::Integer(denominator)};
+  }
+  template <class T>
+  const T& of(const std::vector<T>& values) {
+    return values[below(values.size())];
+  }
+  template <class T>
+  void shuffle(std::vector<T>& values) {
+    for (std::size_t i = values.size(); i > 1; --i) std::swap(values[i - 1], values[below(i)]);
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
+}  // namespace flatdt::testing
