@@ -20,6 +20,17 @@ std::string query_comments(const Specimen& specimen) {
   return text;
 }
 
+/// Files name no query points: an even spread of them, to start from.
+void add_queries(Specimen& specimen) {
+  for (int k = 0; k < 12; ++k) {
+    CodedQuery query;
+    query.point = static_cast<std::uint8_t>(static_cast<std::size_t>(k) % specimen.points.size());
+    query.coset = static_cast<std::uint8_t>(k);
+    for (std::size_t i = 0; i < 3; ++i) query.shift[i] = static_cast<std::int8_t>((k >> i) & 1);
+    specimen.queries.push_back(query);
+  }
+}
+
 }  // namespace
 
 Texts texts_of(const Specimen& specimen) {
@@ -46,6 +57,7 @@ std::optional<Bytes> encode(const std::vector<std::string>& texts) {
         !set_triangulation(*specimen, ref::parse_triangulation(texts[1], "triangulation", instance.dimension,
                                                                instance.points.size())))
       return std::nullopt;
+    if (kShape.queries) add_queries(*specimen);
     return encode(*specimen, kShape);
   } catch (const ref::InvalidInput&) {
     return std::nullopt;
