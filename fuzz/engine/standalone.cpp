@@ -1,9 +1,10 @@
 /// A fuzz target as a plain program, without an engine: replays inputs, prints them as files, makes inputs of
 /// files. See fuzz/README.md.
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
-#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -51,11 +52,17 @@ std::vector<std::filesystem::path> inputs(char** first, char** last) {
   return files;
 }
 
-/// Of processor time: a rate by the clock on the wall would depend on what else the machine does.
+/// Of this process, in user mode: a rate by the clock on the wall would depend on what else the machine does.
+double processor_seconds() {
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_utime.tv_sec) + 1e-6 * static_cast<double>(usage.ru_utime.tv_usec);
+}
+
 double seconds_for(const Bytes& input) {
-  const std::clock_t start = std::clock();
+  const double start = processor_seconds();
   LLVMFuzzerTestOneInput(input.data(), input.size());
-  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+  return processor_seconds() - start;
 }
 
 int run_all(const std::vector<std::filesystem::path>& files, bool timed) {
