@@ -48,6 +48,9 @@ struct ImportOptions {
   std::string altloc = "first";       // or "all"
 };
 int run_import(const ImportOptions& options);
+/// The text of the instance that the bytes of a crystal structure file mean. options.file names it in
+/// messages; notes go to standard error.
+std::string import_text(const std::string& bytes, const ImportOptions& options);
 
 struct DrawOptions {
   std::string instance;

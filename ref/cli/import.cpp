@@ -2,15 +2,21 @@
 
 #include "commands.hpp"
 #include "flatdt/ref/errors.hpp"
+#include "text_files.hpp"
 
 #ifndef FLATDT_HAVE_GEMMI
 
 namespace flatdt::ref::cli {
 
-int run_import(const ImportOptions&) {
+std::string import_text(const std::string&, const ImportOptions&) {
   throw InvalidInput(
       "this build has no crystal import: it needs the Debian packages gemmi-dev, tao-pegtl-dev, libstb-dev "
       "and zlib1g-dev when flatdt is configured");
+}
+
+int run_import(const ImportOptions& options) {
+  write_output(options.output, import_text({}, options));
+  return 0;
 }
 
 }  // namespace flatdt::ref::cli
@@ -20,7 +26,6 @@ int run_import(const ImportOptions&) {
 #include "crystal.hpp"
 #include "crystal_text.hpp"
 #include "flatdt/ref/instance_format.hpp"
-#include "text_files.hpp"
 
 namespace flatdt::ref::cli {
 namespace {
@@ -101,8 +106,7 @@ void look_up_symbol(Crystal& crystal) {
 
 }  // namespace
 
-int run_import(const ImportOptions& options) {
-  const std::string bytes = read_input(options.file);
+std::string import_text(const std::string& bytes, const ImportOptions& options) {
   try {
     const std::string source = unpacked(bytes);
     Crystal crystal =
@@ -122,12 +126,16 @@ int run_import(const ImportOptions& options) {
       text += "# " + printable(note) + "\n";
       std::fprintf(stderr, "%s: %s\n", options.file.c_str(), printable(note).c_str());
     }
-    write_output(options.output, text + with_labels(write_instance(imported.instance), imported.labels));
+    return text + with_labels(write_instance(imported.instance), imported.labels);
   } catch (const InvalidInput& error) {
     // Reasons that concern a line already begin with the file.
     const std::string reason = error.what();
     throw InvalidInput(reason.rfind(options.file + ":", 0) == 0 ? reason : options.file + ": " + reason);
   }
+}
+
+int run_import(const ImportOptions& options) {
+  write_output(options.output, import_text(read_input(options.file), options));
   return 0;
 }
 

@@ -1,0 +1,2 @@
+#!/bin/bash -eu
+exec "$SRC/flatdt/fuzz/oss-fuzz/build.sh"

@@ -1,0 +1,182 @@
+// flatdt-check INSTANCE TRIANGULATION [--json]: reads two files, prints the verdict.
+// The exit code and the last line of standard output always say the same: 0 VERIFIED, 1 REFUTED, 2 MALFORMED,
+// 3 UNKNOWN; wrong usage, an unreadable file too, is 2 without a verdict.   Source: FORMAT.md, "Programs".
+#include "command_line.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <fstream>
+#include <iostream>
+#include <new>
+#include <string>
+#include <system_error>
+
+#include "flatdt/checker/check.hpp"
+#include "flatdt/checker/errors.hpp"
+#include "report.hpp"
+
+namespace flatdt::checker {
+namespace {
+
+constexpr int kUsage = 2;
+constexpr int kInternal = 3;
+
+int exit_code(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::verified:
+      return 0;
+    case Outcome::refuted:
+      return 1;
+    case Outcome::malformed:
+      return 2;
+    case Outcome::unknown:
+      return 3;
+  }
+  return kInternal;
+}
+
+void complain(const std::string& message) {
+  std::fprintf(stderr, "flatdt-check: %s\n", message.c_str());
+}
+
+/// Writes to standard output; whether all of it arrived.
+bool print(const std::string& text) {
+  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+  return std::fflush(stdout) == 0 && written;
+}
+
+/// The failure with the system's reason for it.
+std::ios_base::failure unreadable(const std::string& what) {
+  return std::ios_base::failure(what, std::error_code(errno, std::generic_category()));
+}
+
+/// An input file, or standard input for "-". A directory opens but cannot be read, hence the peek.
+class Input {
+ public:
+  explicit Input(const std::string& path) : name_(path == "-" ? "<stdin>" : path) {
+    if (path == "-") {
+      stream_ = &std::cin;
+    } else {
+      file_.open(path, std::ios::binary);
+      if (!file_) throw unreadable("cannot open " + path);
+      stream_ = &file_;
+    }
+    try {
+      stream_->rdbuf()->sgetc();
+    } catch (const std::ios_base::failure&) {
+      throw unreadable("cannot read " + path);
+    }
+    if (path == "-" && std::ferror(stdin) != 0) throw unreadable("cannot read standard input");
+  }
+  [[nodiscard]] std::istream& stream() { return *stream_; }
+  [[nodiscard]] const std::string& name() const { return name_; }
+
+ private:
+  std::string name_;
+  std::ifstream file_;
+  std::istream* stream_ = nullptr;
+};
+
+Verdict judge(Input& instance_input, Input& triangulation_input) {
+  Verdict verdict;
+  try {
+    const Instance instance = parse_instance(instance_input.stream(), instance_input.name());
+    const Triangulation triangulation =
+        parse_triangulation(triangulation_input.stream(), triangulation_input.name(), instance);
+    return check(instance, triangulation);
+  } catch (const MalformedInput& error) {
+    verdict.outcome = Outcome::malformed;
+    verdict.reason = error.what();
+  } catch (const std::bad_alloc&) {
+    verdict.outcome = Outcome::unknown;
+    verdict.reason = "out of memory";
+  }
+  return verdict;
+}
+
+bool json = false;  // for the handler below, which has no arguments
+
+/// GMP would abort when memory runs out, and its callers cannot be unwound: the verdict is printed and the
+/// process ends.
+[[noreturn]] void out_of_memory() {
+  complain("out of memory");
+  std::fputs(
+      json ? "{\"schema\":\"flatdt-check 1\",\"verdict\":\"UNKNOWN\",\"conditions\":[]}\n" : "s UNKNOWN\n",
+      stdout);
+  std::fflush(stdout);
+  std::_Exit(kInternal);
+}
+
+void* allocate(std::size_t size) {
+  void* memory = std::malloc(size);
+  if (memory == nullptr) out_of_memory();
+  return memory;
+}
+
+void* reallocate(void* old, std::size_t, std::size_t size) {
+  void* memory = std::realloc(old, size);
+  if (memory == nullptr) out_of_memory();
+  return memory;
+}
+
+void release(void* memory, std::size_t) {
+  std::free(memory);
+}
+
+int parse_and_run(int argc, const char* const* argv) {
+  json = false;
+  mp_set_memory_functions(allocate, reallocate, release);
+  CLI::App app(
+      "Checks that a triangulation is the Delaunay triangulation of an instance's points in a flat "
+      "manifold.");
+  app.footer(
+      "'-' is standard input, for one of the two files.\n"
+      "Exit codes: 0 VERIFIED, 1 REFUTED, 2 MALFORMED or wrong usage, 3 UNKNOWN.");
+  std::string instance_path;
+  std::string triangulation_path;
+  app.add_option("INSTANCE", instance_path, "instance file")->required();
+  app.add_option("TRIANGULATION", triangulation_path, "triangulation file")->required();
+  app.add_flag("--json", json, "print one JSON object");
+  app.add_flag_callback(
+      "--version", [] { throw CLI::Success(); }, "print the version");
+  try {
+    app.parse(argc, argv);
+    if (instance_path == "-" && triangulation_path == "-")
+      throw CLI::ValidationError("'-' can stand for one file only");
+  } catch (const CLI::CallForHelp&) {
+    return print(app.help()) ? 0 : kInternal;
+  } catch (const CLI::Success&) {
+    return print("flatdt-check " FLATDT_VERSION "\n") ? 0 : kInternal;
+  } catch (const CLI::ParseError& error) {
+    complain(std::string(error.what()) + "\nRun with --help for usage.");
+    return kUsage;
+  }
+  Input instance(instance_path);
+  Input triangulation(triangulation_path);
+  const Verdict verdict = judge(instance, triangulation);
+  if (!verdict.reason.empty()) complain(verdict.reason);
+  if (!print(json ? json_report(verdict) : text_report(verdict))) {
+    complain("cannot write to standard output");
+    return kInternal;
+  }
+  return exit_code(verdict.outcome);
+}
+
+}  // namespace
+
+int run_command_line(int argc, const char* const* argv) {
+  try {
+    return parse_and_run(argc, argv);
+  } catch (const std::ios_base::failure& error) {
+    complain(error.what());
+    return kUsage;
+  } catch (const std::exception& error) {
+    complain(error.what());
+    return kInternal;
+  }
+}
+
+}  // namespace flatdt::checker

@@ -1,0 +1,21 @@
+/// What the checker makes of texts, as its program would read them.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "flatdt/checker/check.hpp"
+#include "flatdt/checker/input.hpp"
+
+namespace flatdt::fuzz {
+
+/// Nothing if it is malformed.
+[[nodiscard]] std::optional<checker::Instance> read_instance(const std::string& text);
+[[nodiscard]] std::optional<checker::Triangulation> read_triangulation(const std::string& text,
+                                                                       const checker::Instance& instance);
+
+/// The verdict; expects that it is not unknown but for a limit of the checker. Nothing at a limit.
+[[nodiscard]] std::optional<checker::Verdict> judge(const checker::Instance& instance,
+                                                    const checker::Triangulation& triangulation);
+
+}  // namespace flatdt::fuzz

@@ -1,0 +1,150 @@
+#include "command_line.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <functional>
+#include <new>
+
+#include "commands.hpp"
+#include "flatdt/ref/errors.hpp"
+
+namespace flatdt::ref::cli {
+namespace {
+
+constexpr int kBadInput = 2;
+constexpr int kInternal = 3;
+
+int parse_and_run(int argc, const char* const* argv) {
+  CLI::App app{
+      "Delaunay triangulations of point sets in closed flat manifolds, exactly.\n"
+      "Example: flatdt generate --manifold klein-bottle --points 5 --family uniform --seed 1 -o k.instance\n"
+      "         flatdt triangulate k.instance -o k.triangulation\n"
+      "         flatdt-check k.instance k.triangulation",
+      "flatdt"};
+  app.set_version_flag("--version", std::string("flatdt ") + FLATDT_VERSION);
+  app.require_subcommand(1);
+  std::function<int()> action;
+
+  ManifoldsOptions manifolds;
+  auto* command =
+      app.add_subcommand("manifolds", "List the catalogue: names, generators, metrics, delta^2, H1, sheets");
+  command->add_flag("--json", manifolds.json, "Print one JSON object");
+  command->callback([&] { action = [&] { return run_manifolds(manifolds); }; });
+
+  InfoOptions info;
+  command = app.add_subcommand("info", "Analyse the group of an instance");
+  command->add_option("instance", info.instance, "Instance file, - for standard input")->required();
+  command->add_flag("--json", info.json, "Print one JSON object");
+  command->callback([&] { action = [&] { return run_info(info); }; });
+
+  GenerateOptions generate;
+  command = app.add_subcommand("generate", "Generate an instance of a named family");
+  command->add_option("--manifold", generate.manifold, "Name or alias from `flatdt manifolds`");
+  command->add_option("--points", generate.points, "Number of points")->capture_default_str();
+  command->add_option("--family", generate.family, "Family of point sets; `--family list` lists them")
+      ->capture_default_str();
+  command->add_option("--seed", generate.seed, "Seed; the same seed gives the same bytes")
+      ->capture_default_str();
+  command->add_option("--metric", generate.metric, "canonical or random")->capture_default_str();
+  command->add_option("-o,--output", generate.output, "Output file, - for standard output")
+      ->capture_default_str();
+  command->callback([&] { action = [&] { return run_generate(generate); }; });
+
+  TriangulateOptions triangulate;
+  command = app.add_subcommand("triangulate", "Triangulate an instance");
+  command->add_option("instance", triangulate.instance, "Instance file, - for standard input")->required();
+  command->add_option("-o,--output", triangulate.output, "Output file, - for standard output")
+      ->capture_default_str();
+  command->add_option("--json-summary", triangulate.json_summary, "Write a JSON summary to this file");
+  const CLI::Option* engine =
+      command
+          ->add_option("--engine", triangulate.engine,
+                       "without-covers, or covering (the paper's: in a cover first); the output is the same")
+          ->check(CLI::IsMember({"without-covers", "covering"}))
+          ->capture_default_str();
+  const CLI::Option* sheets =
+      command
+          ->add_option("--sheets", triangulate.sheets,
+                       "Covering used while inserting: smallest (least safe sublattice) or theorem10 (c times "
+                       "the lattice); implies --engine covering")
+          ->check(CLI::IsMember({"smallest", "theorem10"}))
+          ->capture_default_str();
+  command
+      ->add_option("--order", triangulate.order_seed,
+                   "Seed of the internal insertion order; the output is the same")
+      ->capture_default_str();
+  const CLI::Option* max_sheets =
+      command
+          ->add_option("--max-sheets", triangulate.max_sheets,
+                       "Largest covering to work in; implies --engine covering")
+          ->check(CLI::Range(1L, 1000000000L))
+          ->capture_default_str();
+  command->add_flag("-q,--quiet", triangulate.quiet, "Nothing on standard error but errors");
+  command->callback([&] {
+    if (sheets->count() > 0 || max_sheets->count() > 0) {
+      if (engine->count() > 0 && triangulate.engine != "covering")
+        throw CLI::ValidationError("--sheets and --max-sheets belong to --engine covering");
+      triangulate.engine = "covering";
+    }
+    action = [&] { return run_triangulate(triangulate); };
+  });
+
+  ImportOptions import_options;
+  command = app.add_subcommand("import",
+                               "Make an instance from a crystal structure (CIF, mmCIF, PDB; also gzip'ed)");
+  command->add_option("file", import_options.file, "Crystal structure file")->required();
+  command->add_option("-o,--output", import_options.output, "Output file, - for standard output")
+      ->capture_default_str();
+  command->add_option("--coincident", import_options.coincident, "Coincident sites: refuse or merge")
+      ->check(CLI::IsMember({"refuse", "merge"}))
+      ->capture_default_str();
+  command->add_option("--altloc", import_options.altloc, "Alternative locations: first of each, or all")
+      ->check(CLI::IsMember({"first", "all"}))
+      ->capture_default_str();
+  command->callback([&] { action = [&] { return run_import(import_options); }; });
+
+  DrawOptions draw;
+  command = app.add_subcommand("draw", "Draw a 2D triangulation as SVG");
+  command->add_option("instance", draw.instance, "Instance file")->required();
+  command->add_option("triangulation", draw.triangulation, "Triangulation file")->required();
+  command->add_option("-o,--output", draw.output, "Output file, - for standard output")
+      ->capture_default_str();
+  command->add_flag("--two-cycle", draw.show_two_cycle,
+                    "Highlight a loop or 2-cycle of the quotient by the group");
+  command->add_flag("--violation", draw.show_violation, "Highlight a circumdisk that contains a point");
+  command->callback([&] { action = [&] { return run_draw(draw); }; });
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    const int code = app.exit(error);
+    return code == 0 ? 0 : kBadInput;
+  }
+  return action();
+}
+
+int fail(int code, const char* reason) {
+  std::fprintf(stderr, "flatdt: %s\n", reason);
+  return code;
+}
+
+}  // namespace
+
+int run_command_line(int argc, const char* const* argv) {
+  try {
+    return parse_and_run(argc, argv);
+  } catch (const InvalidInput& error) {
+    return fail(kBadInput, error.what());
+  } catch (const LimitReached& error) {
+    return fail(kInternal, error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(kInternal, "out of memory");
+  } catch (const std::exception& error) {
+    return fail(kInternal, error.what());
+  } catch (...) {
+    return fail(kInternal, "unknown error");
+  }
+}
+
+}  // namespace flatdt::ref::cli
