@@ -110,6 +110,7 @@ DETECTORS = {
         Detector("agreement", ["flatdt", "flatdt-check"], run_script,
                  ("python3", "property_tests/agreement_test.py", "FLATDT", "CHECK", "corpora", "--jobs", "JOBS")),
         gtest("ref_quotient_insertion_test"),
+        gtest("ref_insertion_without_covers_test"),
         gtest("ref_predicates_test"),
         gtest("ref_cover_test"),
         gtest("ref_families_degeneracy_test"),
