@@ -6,6 +6,7 @@ address space) a memory limit. Demands the exit code, a reason with file:line on
 and that a failed `-o` leaves nothing behind. Standard library only.   Source: FORMAT.md, "Programs", "Lexical rules".
 """
 
+import gzip
 import os
 import re
 import resource
@@ -217,6 +218,13 @@ def colliding_elements(n):
     return f"flatdt-triangulation 1\nelements {n}{rows}\ncells 0\n"
 
 
+def cluster_and_gap(cluster, gap, length):
+    """Each point in the gap is in conflict with a multiple of `length` lifts of few cells."""
+    points = [f"{k * 619 % 1024}/1024 {k * 377 % 1021}/1021 {k * 233 % 1019}/{1019 * length}" for k in range(cluster)]
+    points += [f"{k * 619 % 1024}/1024 {k * 377 % 1021}/1021 {k + 1}/{gap + 1}" for k in range(gap)]
+    return instance(f"{len(points)}\n" + "\n".join(points), None, f"1 0 0 1 0 {length ** 2}", 3, "torocosm")
+
+
 def sizes():
     """Good grammar, hard numbers. Refusals by admissibility are 2, limits of a program 3, and an answer is welcome."""
     answers = (0, 1, 2, 3)
@@ -250,6 +258,8 @@ def sizes():
     hostile_instance("big linear part", instance(generators=[X, Y, f"{big} 1 0 1 {big} 0"]), (2,), draw=False, line=False)
     hostile_instance("5,000 equal points", instance("5000\n" + "0 0\n" * 5000), answers, line=False)
     hostile_instance("1,000 points on a line", instance("1000\n" + "".join(f"{k}/1000 0\n" for k in range(1000))), answers, line=False)
+    hostile_instance("a cluster of 1,000 points and 20 in a gap of 10^5 periods", cluster_and_gap(1000, 20, 10 ** 5),
+                     (0, 1), draw=False, line=False)
     hostile_triangulation("10^6 generators of a subgroup", TRIANGULATION.replace("subgroup 2", "subgroup 1000000" + "\n1 0 3 0 1 0" * 999998))
     same = "subgroup 10000" + "\n1 0 3 0 1 0" * 9998
     hostile_triangulation("10,000 generators of a subgroup", TRIANGULATION.replace("subgroup 2", same), (1, 3), line=False)
@@ -268,6 +278,23 @@ def sizes():
     fan = "".join(f"\n1 0 {k} 0 1 {k * k}" for k in range(3000))
     cells = "".join(f"\n0 0 0 {k + 1} 0 {k + 2}" for k in range(2998))
     hostile_triangulation("3,000 cells at a vertex", f"flatdt-triangulation 1\nelements 3000{fan}\ncells 2998{cells}\n", (1,), line=False)
+
+
+def crystals():
+    """Small files that unpack, or add up, to large ones; a build without crystal import refuses all."""
+    write("bomb.cif.gz", gzip.compress(b"data_x\nloop_\n_atom_site_label\n_atom_site_fract_x\n" + b"A 0 0 0\n" * 30_000_000, 1))
+    run("gzip bomb", [FLATDT, "import", "bomb.cif.gz", "-o", "out"], [2, 3])
+    cell = "".join(f"_cell_length_{a} 10\n" for a in "abc") + "".join(f"_cell_angle_{a} 90\n" for a in ("alpha", "beta", "gamma"))
+    atoms = "loop_\n_atom_site_label\n_atom_site_fract_x\n_atom_site_fract_y\n_atom_site_fract_z\n"
+    fractions = "+".join(f"1/{p}" for p in primes(20000, 2))
+    write("sum.cif", f"data_x\n{cell}loop_\n_space_group_symop_operation_xyz\nx,y,z\n-x,y+{fractions},-z\n{atoms}A 0.1 0.2 0.3\n")
+    run("operation with 20,000 fractions", [FLATDT, "import", "sum.cif", "-o", "out"], [2])
+    rows = "".join(f"A{k} 0.1 0.2 0.3\n" for k in range(45000)) + "".join(f"B{k} 0.{k + 1:06d} 0.2 0.3\n" for k in range(40000))
+    write("merge.cif", f"data_x\n{cell}loop_\n_space_group_symop_operation_xyz\nx,y,z\n-x,y+1/2,-z\n{atoms}{rows}")
+    run("45,000 coincident sites", [FLATDT, "import", "merge.cif", "-o", "out", "--coincident", "merge"], [0, 2])
+    for name in ("bomb.cif.gz", "sum.cif", "merge.cif", "out"):
+        if os.path.exists(name):
+            os.remove(name)
 
 
 def streams():
@@ -315,6 +342,15 @@ def streams():
             run(f"{name} -o {target!r}", [FLATDT, *command, "-o", target], [2, 3])
         if os.listdir("folder"):
             complain(name, f"left {os.listdir('folder')} in the folder")
+    run("summary into an absent folder", [FLATDT, "triangulate", good[0], "-o", "folder/t", "--json-summary", "absent/s"], [2])
+    run("triangulation and summary in one file", [FLATDT, "triangulate", good[0], "-o", "folder/t", "--json-summary", "folder/t"], [2])
+    if os.listdir("folder"):
+        complain("triangulate --json-summary", f"left {os.listdir('folder')} in the folder")
+    run("triangulation and summary on standard output", [FLATDT, "triangulate", good[0], "--json-summary", "-"], [2])
+    for seed in ("-1", "1e3", "99999999999999999999999", ""):
+        run(f"seed {seed!r}", [FLATDT, "generate", "--manifold", "torus", "--points", "1", "--seed", seed], [2])
+        run(f"order {seed!r}", [FLATDT, "triangulate", good[0], "--order", seed], [2])
+    run("sheets of the wrong engine", [FLATDT, "triangulate", good[0], "--engine", "without-covers", "--max-sheets", "9"], [2])
     # A reader that closes the pipe early must not make the writer crash.
     for command in ([FLATDT, "triangulate", good[0]], [CHECK, *good]):
         reading, writing = os.pipe()
@@ -330,7 +366,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)
         write("good.instance", INSTANCE)
-        for part in (truncated, bytes_, counts, numbers, sizes, streams):
+        for part in (truncated, bytes_, counts, numbers, sizes, crystals, streams):
             start = time.monotonic()
             part()
             print(f"{part.__name__}: {time.monotonic() - start:.0f} s", flush=True)

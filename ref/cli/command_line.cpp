@@ -1,6 +1,8 @@
 #include "command_line.hpp"
 
 #include <CLI/CLI.hpp>
+#include <charconv>
+#include <cstdint>
 #include <cstdio>
 #include <exception>
 #include <functional>
@@ -14,6 +16,14 @@ namespace {
 
 constexpr int kBadInput = 2;
 constexpr int kInternal = 3;
+
+/// CLI11 wraps negative numbers and clamps large ones.
+std::string is_seed(const std::string& text) {
+  std::uint64_t seed = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+  const bool good = error == std::errc{} && end == text.data() + text.size();
+  return good ? std::string() : "a seed is an integer from 0 to 2^64 - 1, not '" + text + "'";
+}
 
 int parse_and_run(int argc, const char* const* argv) {
   CLI::App app{
@@ -45,6 +55,7 @@ int parse_and_run(int argc, const char* const* argv) {
   command->add_option("--family", generate.family, "Family of point sets; `--family list` lists them")
       ->capture_default_str();
   command->add_option("--seed", generate.seed, "Seed; the same seed gives the same bytes")
+      ->check(is_seed)
       ->capture_default_str();
   command->add_option("--metric", generate.metric, "canonical or random")->capture_default_str();
   command->add_option("-o,--output", generate.output, "Output file, - for standard output")
@@ -65,21 +76,22 @@ int parse_and_run(int argc, const char* const* argv) {
           ->capture_default_str();
   const CLI::Option* sheets =
       command
-          ->add_option("--sheets", triangulate.sheets,
-                       "Covering used while inserting: smallest (least safe sublattice) or theorem10 (c times "
-                       "the lattice); implies --engine covering")
+          ->add_option(
+              "--sheets", triangulate.sheets,
+              "Covering used while inserting: smallest (least safe sublattice) or theorem10 (c times "
+              "the lattice); implies --engine covering")
           ->check(CLI::IsMember({"smallest", "theorem10"}))
           ->capture_default_str();
   command
       ->add_option("--order", triangulate.order_seed,
                    "Seed of the internal insertion order; the output is the same")
+      ->check(is_seed)
       ->capture_default_str();
-  const CLI::Option* max_sheets =
-      command
-          ->add_option("--max-sheets", triangulate.max_sheets,
-                       "Largest covering to work in; implies --engine covering")
-          ->check(CLI::Range(1L, 1000000000L))
-          ->capture_default_str();
+  const CLI::Option* max_sheets = command
+                                      ->add_option("--max-sheets", triangulate.max_sheets,
+                                                   "Largest covering to work in; implies --engine covering")
+                                      ->check(CLI::Range(1L, 1000000000L))
+                                      ->capture_default_str();
   command->add_flag("-q,--quiet", triangulate.quiet, "Nothing on standard error but errors");
   command->callback([&] {
     if (sheets->count() > 0 || max_sheets->count() > 0) {
@@ -118,7 +130,10 @@ int parse_and_run(int argc, const char* const* argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    const int code = app.exit(error);
+    const bool lacks_command = app.get_subcommands().empty() && argc > 1 && argv[1][0] != '-';
+    if (lacks_command)
+      std::fprintf(stderr, "flatdt: there is no command '%s'; `flatdt --help` lists them\n", argv[1]);
+    const int code = lacks_command ? kBadInput : app.exit(error);
     return code == 0 ? 0 : kBadInput;
   }
   return action();

@@ -42,6 +42,10 @@ Rational leading_number(std::string_view& rest, std::string_view whole) {
 
 void parse_row(std::string_view row, std::string_view whole, int i, Isometry& operation) {
   if (row.empty()) fail_operation(whole, "a coordinate is missing");
+  constexpr std::size_t kLongestRow = 256;  // a sum of many fractions has a denominator without bound
+  if (row.size() > kLongestRow)
+    fail_operation(whole.substr(0, 60),
+                   "a coordinate of more than " + std::to_string(kLongestRow) + " bytes");
   while (!row.empty()) {
     Rational factor(1);
     const bool has_sign = row[0] == '+' || row[0] == '-';

@@ -121,8 +121,14 @@ void handle_coincidences(Crystal& crystal, const std::vector<Isometry>& operatio
   if (!merge)
     throw InvalidInput(std::to_string(pairs.size()) + " sites coincide with another one of their orbit (" +
                        text + "): --coincident merge keeps the first of each");
-  for (auto pair = pairs.rbegin(); pair != pairs.rend(); ++pair)
-    crystal.sites.erase(crystal.sites.begin() + static_cast<std::ptrdiff_t>(pair->second));
+  std::vector<CrystalSite> kept;
+  std::size_t next = 0;  // of pairs, which are in the order of their second sites
+  for (std::size_t k = 0; k < crystal.sites.size(); ++k)
+    if (next < pairs.size() && pairs[next].second == k)
+      ++next;
+    else
+      kept.push_back(crystal.sites[k]);
+  crystal.sites = std::move(kept);
   crystal.notes.push_back("coincident sites merged: " + text);
 }
 

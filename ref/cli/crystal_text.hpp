@@ -31,7 +31,7 @@ struct SettingText {
 };
 
 /// The text itself, unpacked if it is gzip'ed. Errors: InvalidInput if it is damaged, LimitReached beyond
-/// 256 MB (a few kilobytes can unpack to gigabytes).
+/// 64 MB (a few kilobytes can unpack to gigabytes).
 std::string unpacked(const std::string& bytes);
 
 /// The first data block with atom sites. Errors: InvalidInput.

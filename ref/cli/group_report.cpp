@@ -31,6 +31,8 @@ GroupAnalysis analysed(const Instance& instance, const std::string& file_name) {
     if (error.section() == InvalidInput::Section::manifold) line = lines.manifold;
     if (error.section() == InvalidInput::Section::metric && lines.metric != 0) line = lines.metric;
     throw InvalidInput(file_name + ":" + std::to_string(line) + ": " + error.what(), error.section());
+  } catch (const LimitReached& limit) {
+    throw LimitReached(file_name + ": " + limit.what());
   }
 }
 

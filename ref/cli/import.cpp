@@ -74,6 +74,10 @@ Crystal exact_crystal(CrystalText text) {
     }
     crystal.fractional_from_cartesian = map;
   }
+  constexpr std::size_t kMaxSites = 1'000'000;
+  if (text.sites.size() > kMaxSites)
+    throw LimitReached("the file has " + std::to_string(text.sites.size()) + " atom sites; the limit is " +
+                       std::to_string(kMaxSites));
   for (const SiteText& site : text.sites) {
     CrystalSite exact{site.label, site.group, site.alternative, Vector(3)};
     for (int i = 0; i < 3; ++i)
@@ -131,6 +135,8 @@ std::string import_text(const std::string& bytes, const ImportOptions& options) 
     // Reasons that concern a line already begin with the file.
     const std::string reason = error.what();
     throw InvalidInput(reason.rfind(options.file + ":", 0) == 0 ? reason : options.file + ": " + reason);
+  } catch (const LimitReached& limit) {
+    throw LimitReached(options.file + ": " + limit.what());
   }
 }
 

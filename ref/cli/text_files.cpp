@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <memory>
 #include <vector>
 
 #include "flatdt/ref/errors.hpp"
@@ -28,6 +29,58 @@ void write_all(int descriptor, const std::string& text) {
     done += static_cast<std::size_t>(n);
   }
 }
+
+/// A device or a pipe cannot be renamed over: it is written to directly.
+bool is_device(const std::string& path) {
+  struct stat info {};
+  return ::stat(path.c_str(), &info) == 0 && !S_ISREG(info.st_mode);
+}
+
+void write_to_device(const std::string& path, const std::string& text) {
+  struct stat info {};
+  const bool is_folder = ::stat(path.c_str(), &info) == 0 && S_ISDIR(info.st_mode);
+  const int device = is_folder ? -1 : ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  if (device < 0) throw InvalidInput(path + ": cannot be written: not a file");
+  try {
+    write_all(device, text);
+  } catch (...) {
+    ::close(device);
+    throw;
+  }
+  ::close(device);
+}
+
+/// A temporary file beside `path` that takes its place when renamed, and else is removed.
+class PendingFile {
+ public:
+  explicit PendingFile(const std::string& path) : path_(path), temporary_(path + ".XXXXXX") {
+    descriptor_ = ::mkstemp(temporary_.data());
+    if (descriptor_ < 0) throw InvalidInput(path + ": cannot be created: " + reason());
+  }
+  PendingFile(const PendingFile&) = delete;
+  PendingFile& operator=(const PendingFile&) = delete;
+  ~PendingFile() {
+    ::close(descriptor_);
+    if (!renamed_) ::unlink(temporary_.c_str());
+  }
+  void write(const std::string& text) const {
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    if (::fchmod(descriptor_, 0666 & ~mask) != 0) throw LimitReached(path_ + ": " + reason());
+    write_all(descriptor_, text);
+    if (::fsync(descriptor_) != 0 && errno != EINVAL) throw LimitReached(path_ + ": " + reason());
+  }
+  void rename() {
+    if (::rename(temporary_.c_str(), path_.c_str()) != 0) throw LimitReached(path_ + ": " + reason());
+    renamed_ = true;
+  }
+
+ private:
+  std::string path_;
+  std::string temporary_;
+  int descriptor_ = -1;
+  bool renamed_ = false;
+};
 
 }  // namespace
 
@@ -59,41 +112,29 @@ std::string read_input(const std::string& path) {
   return text;
 }
 
-void write_output(const std::string& path, const std::string& text) {
-  if (path == "-") {
-    write_all(STDOUT_FILENO, text);
-    return;
-  }
-  // A device or a pipe cannot be renamed over: write to it directly.
-  struct stat info {};
-  if (::stat(path.c_str(), &info) == 0 && !S_ISREG(info.st_mode)) {
-    const int device = S_ISDIR(info.st_mode) ? -1 : ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-    if (device < 0) throw InvalidInput(path + ": cannot be written: not a file");
-    try {
-      write_all(device, text);
-    } catch (...) {
-      ::close(device);
-      throw;
+void write_outputs(const std::vector<Output>& outputs) {
+  std::vector<std::unique_ptr<PendingFile>> files;
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    const Output& output = outputs[i];
+    for (std::size_t j = 0; j < i; ++j)
+      if (outputs[j].path == output.path)
+        throw InvalidInput(output.path == "-" ? "two outputs would go to standard output"
+                                              : output.path + ": two outputs would go to this file");
+    if (output.path != "-" && !is_device(output.path)) {
+      files.push_back(std::make_unique<PendingFile>(output.path));
+      files.back()->write(output.text);
     }
-    ::close(device);
-    return;
   }
-  std::string temporary = path + ".XXXXXX";
-  const int descriptor = ::mkstemp(temporary.data());
-  if (descriptor < 0) throw InvalidInput(path + ": cannot be created: " + reason());
-  try {
-    const mode_t mask = ::umask(0);
-    ::umask(mask);
-    if (::fchmod(descriptor, 0666 & ~mask) != 0) throw LimitReached(path + ": " + reason());
-    write_all(descriptor, text);
-    if (::fsync(descriptor) != 0 && errno != EINVAL) throw LimitReached(path + ": " + reason());
-    if (::rename(temporary.c_str(), path.c_str()) != 0) throw LimitReached(path + ": " + reason());
-  } catch (...) {
-    ::close(descriptor);
-    ::unlink(temporary.c_str());
-    throw;
-  }
-  ::close(descriptor);
+  for (const Output& output : outputs)
+    if (output.path == "-")
+      write_all(STDOUT_FILENO, output.text);
+    else if (is_device(output.path))
+      write_to_device(output.path, output.text);
+  for (const auto& file : files) file->rename();
+}
+
+void write_output(const std::string& path, const std::string& text) {
+  write_outputs({{path, text}});
 }
 
 }  // namespace flatdt::ref::cli

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace flatdt::ref::cli {
 
@@ -12,5 +13,14 @@ std::string read_input(const std::string& path);
 /// Writes text to a temporary file beside `path` and renames it, or to standard output for "-".
 /// Throws InvalidInput if the file cannot be created, LimitReached if writing fails; leaves nothing behind.
 void write_output(const std::string& path, const std::string& text);
+
+/// A text and where it goes.
+struct Output {
+  std::string path;
+  std::string text;
+};
+/// The same for several outputs, all or none: files are renamed when all have been written.
+/// Throws InvalidInput also if two of them go to the same place.
+void write_outputs(const std::vector<Output>& outputs);
 
 }  // namespace flatdt::ref::cli

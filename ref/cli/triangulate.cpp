@@ -97,10 +97,21 @@ int run_triangulate(const TriangulateOptions& options) {
   settings.cover = options.sheets == "theorem10" ? CoverChoice::theorem10 : CoverChoice::smallest;
   settings.order_seed = options.order_seed;
   settings.max_sheets = options.max_sheets;
-  const TriangulationResult result = triangulate(instance, analysis, settings);
-  write_output(options.output, write_triangulation(result.triangulation, describe(result)));
+  if (options.output == options.json_summary)
+    throw InvalidInput("the triangulation and the summary would both go to " +
+                       (options.output == "-" ? std::string("standard output") : options.output) +
+                       ": give different places with -o and --json-summary");
+  const TriangulationResult result = [&] {
+    try {
+      return triangulate(instance, analysis, settings);
+    } catch (const LimitReached& limit) {
+      throw LimitReached(file_name + ": " + limit.what());
+    }
+  }();
+  std::vector<Output> outputs{{options.output, write_triangulation(result.triangulation, describe(result))}};
   if (!options.json_summary.empty())
-    write_output(options.json_summary, summary(instance, analysis, result).dump(1) + "\n");
+    outputs.push_back({options.json_summary, summary(instance, analysis, result).dump(1) + "\n"});
+  write_outputs(outputs);
   if (!options.quiet) tell(instance, analysis, result);
   return 0;
 }

@@ -12,7 +12,7 @@
 
 namespace flatdt::ref {
 
-inline constexpr std::size_t kRegionLimit = 1000;
+inline constexpr std::size_t kRegionLimit = 250;
 
 /// Everything the levels share.
 template <int D>
@@ -23,9 +23,10 @@ struct Setting {
   const TieOrder* order;
   Predicates<D>* predicates;
   Circumradius<D>* circumradius;
-  /// Without covers, a conflict region of more lifts than this and than four times the cells is not searched: the
-  /// star of the point is found from its own copies instead, at a cost that does not depend on the metric.
-  /// 0: always (tests do). At canonical metrics regions have at most 77 lifts (INSERTION 5).
+  /// Without covers, a search that has met more than this many further lifts of cells it had met before is
+  /// given up: the star of the point is found from its own copies instead, at a cost that does not depend on
+  /// the metric. 0: no search (tests do). At canonical metrics regions have at most 77 lifts in all
+  /// (INSERTION 5).
   std::size_t region_limit = kRegionLimit;
 };
 
@@ -124,6 +125,7 @@ class PeriodicDelaunay {
   // Kept between insertions.
   std::vector<Visit> visits_;
   bool meets_own_copies_ = false;
+  std::size_t repeated_visits_ = 0;  // visits of cells that had been visited through another lift
   std::vector<Location> region_;
   std::vector<BoundaryFacet> boundary_;
   std::vector<Ridge> ridges_;
