@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "oracle/group.hpp"
@@ -13,9 +14,11 @@
 namespace flatdt::oracle {
 namespace {
 
-/// The cells of a triangulation with one circumcentre modulo H, moved by H to have the same centre.
+/// The cells of a triangulation whose circumcentres are one point modulo H, moved by H to have it as
+/// circumcentre.
 struct Filling {
   const DelaunayCell* cell;
+  Seitz to_cell;  // of G, takes that point to the centre of the cell
   std::vector<std::vector<Vector>> simplices;
 };
 
@@ -38,13 +41,17 @@ bool lies_in(const DelaunayCell& cell, const std::vector<Vector>& corners, const
   });
 }
 
-/// What is wrong with the simplices that should fill the cell; empty if nothing is.
-std::string flaw(const Filling& filling, int dimension) {
+/// The volume of the hull of the points of a cell.
+Rational volume_of(const DelaunayCell& cell, int dimension) {
+  std::vector<Vector> points;
+  for (const OrbitPoint& p : cell.points) points.push_back(p.position);
+  return hull_volume(points, dimension);
+}
+
+/// What is wrong with the simplices that should fill a cell of volume `whole`; empty if nothing is.
+std::string flaw(const Filling& filling, const Rational& whole, int dimension) {
   Rational volume = 0;
   for (const std::vector<Vector>& s : filling.simplices) volume += simplex_volume(s, dimension);
-  std::vector<Vector> points;
-  for (const OrbitPoint& p : filling.cell->points) points.push_back(p.position);
-  const Rational whole = hull_volume(points, dimension);
   if (volume != whole) return "cells of volume " + volume.get_str() + " instead of " + whole.get_str();
   for (std::size_t i = 0; i < filling.simplices.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
@@ -78,24 +85,31 @@ std::string difference(const checker::Instance& instance, const Tessellation& te
     std::vector<Vector> corners = corners_of(instance, triangulation, k);
     if (simplex_volume(corners, d) == 0) return name + " is flat";
     const Ball ball = circumscribed_ball(corners, instance.metric, d);
-    const auto [centre, to_cell] = group->canonical(ball.centre);
-    const auto found = by_centre.find(centre);
-    if (found == by_centre.end())
-      return name + " has its circumcentre at " + to_text(ball.centre, d) + ", which is no Voronoi vertex";
-    if (found->second->squared_radius != ball.squared_radius)
+    const auto [place, in_subgroup] = subgroup->canonical(ball.centre);
+    auto at = fillings.find(place);
+    if (at == fillings.end()) {
+      const auto [centre, to_cell] = group->canonical(place);
+      const auto found = by_centre.find(centre);
+      if (found == by_centre.end())
+        return name + " has its circumcentre at " + to_text(ball.centre, d) + ", which is no Voronoi vertex";
+      at = fillings.emplace(place, Filling{found->second, to_cell, {}}).first;
+    }
+    Filling& filling = at->second;
+    if (filling.cell->squared_radius != ball.squared_radius)
       return name + " has squared circumradius " + ball.squared_radius.get_str() + " instead of " +
-             found->second->squared_radius.get_str();
-    if (!lies_in(*found->second, corners, to_cell))
+             filling.cell->squared_radius.get_str();
+    for (Vector& x : corners) x = image(in_subgroup, x);
+    if (!lies_in(*filling.cell, corners, filling.to_cell))
       return name + " has a vertex that is none of the points around the Voronoi vertex " +
              to_text(ball.centre, d);
-    const auto [place, in_subgroup] = subgroup->canonical(ball.centre);
-    for (Vector& x : corners) x = image(in_subgroup, x);
-    fillings.try_emplace(place, Filling{found->second, {}}).first->second.simplices.push_back(corners);
+    filling.simplices.push_back(std::move(corners));
   }
 
-  std::map<Vector, std::size_t> sheets;  // of each cell of the tessellation
+  std::map<Vector, Rational> volumes;    // of the cells of the tessellation, by centre
+  std::map<Vector, std::size_t> sheets;  // of E^d/H on which they are filled
+  for (const DelaunayCell& cell : tessellation.cells) volumes[cell.centre] = volume_of(cell, d);
   for (const auto& [place, filling] : fillings) {
-    const std::string wrong = flaw(filling, d);
+    const std::string wrong = flaw(filling, volumes.at(filling.cell->centre), d);
     if (!wrong.empty()) return "at the Voronoi vertex " + to_text(place, d) + ": " + wrong;
     ++sheets[filling.cell->centre];
   }

@@ -43,8 +43,8 @@ std::map<std::vector<std::size_t>, Vector> facets(const std::vector<Vector>& poi
   return found;
 }
 
-/// The points of a facet in one dimension less: a coordinate in which the normal is not zero can be dropped, since the
-/// projection is injective on the facet.
+/// The points of a facet in one dimension less: a coordinate in which the normal is not zero can be dropped,
+/// since the projection is injective on the facet.
 std::vector<Vector> flattened(const std::vector<Vector>& points, const std::vector<std::size_t>& facet,
                               const Vector& normal) {
   const auto dropped = static_cast<std::size_t>(
@@ -66,7 +66,8 @@ std::vector<std::vector<std::size_t>> pulled_triangulation(const std::vector<Vec
   std::vector<std::vector<std::size_t>> simplices;
   for (const auto& [facet, normal] : facets(points, dimension)) {
     if (facet.front() == 0) continue;
-    for (const std::vector<std::size_t>& base : pulled_triangulation(flattened(points, facet, normal), dimension - 1)) {
+    for (const std::vector<std::size_t>& base :
+         pulled_triangulation(flattened(points, facet, normal), dimension - 1)) {
       std::vector<std::size_t> simplex{0};
       for (const std::size_t i : base) simplex.push_back(facet[i]);
       simplices.push_back(std::move(simplex));

@@ -29,7 +29,10 @@ Vector times(const Rational& s, const Vector& a) {
 }
 
 Rational pairing(const Vector& a, const Vector& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  Rational sum = 0;
+  for (std::size_t i = 0; i < kSize; ++i)
+    if (a[i] != 0 && b[i] != 0) sum += a[i] * b[i];  // linear parts are mostly zeros
+  return sum;
 }
 
 Vector cross(const Vector& a, const Vector& b) {

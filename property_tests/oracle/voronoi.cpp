@@ -77,18 +77,21 @@ class Edges {
       loop_ = true;
       return;
     }
-    const auto& [first, second] = std::minmax(a, b, [](const auto& x, const auto& y) { return x.point < y.point; });
+    const auto& [first, second] =
+        std::minmax(a, b, [](const auto& x, const auto& y) { return x.point < y.point; });
     const Seitz way = composed(inverse(first.element, dimension), second.element);
     ways_[{first.point, second.point}].insert({way.linear, way.translation});
   }
   /// No loop and no two edges modulo G with the same ends.
   [[nodiscard]] bool are_simple() const {
-    return !loop_ && std::all_of(ways_.begin(), ways_.end(), [](const auto& w) { return w.second.size() == 1; });
+    return !loop_ &&
+           std::all_of(ways_.begin(), ways_.end(), [](const auto& w) { return w.second.size() == 1; });
   }
 
  private:
   bool loop_ = false;
-  /// For the edge {g p_i, h p_j}, i < j, the element g^-1 h: it determines the edge modulo G, and the reverse.
+  /// For the edge {g p_i, h p_j}, i < j, the element g^-1 h: it determines the edge modulo G, and the
+  /// reverse.
   std::map<std::pair<std::size_t, std::size_t>, std::set<std::pair<Matrix, Vector>>> ways_;
 };
 
@@ -132,7 +135,8 @@ Existence carries_triangulation(const Tessellation& tessellation) {
   Edges possible;  // all pairs of points of one cell
   const int d = tessellation.dimension;
   for (const DelaunayCell& cell : tessellation.cells) {
-    for (const auto& [a, b] : hull_edges(positions(cell.points), d)) forced.add(cell.points[a], cell.points[b], d);
+    for (const auto& [a, b] : hull_edges(positions(cell.points), d))
+      forced.add(cell.points[a], cell.points[b], d);
     for (std::size_t b = 0; b < cell.points.size(); ++b)
       for (std::size_t a = 0; a < b; ++a) possible.add(cell.points[a], cell.points[b], d);
   }

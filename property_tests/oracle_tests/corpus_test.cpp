@@ -1,15 +1,15 @@
 /// The naive checker, flatdt::checker and the records agree on every condition of the files of corpora.
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <iostream>
 #include <map>
-#include <set>
 
 #include "fixture.hpp"
 #include "flatdt/checker/check.hpp"
 #include "flatdt/checker/errors.hpp"
 #include "naive_checker/naive_check.hpp"
+#include "oracle/compare.hpp"
+#include "oracle/voronoi.hpp"
 
 namespace flatdt::naive {
 namespace {
@@ -20,11 +20,6 @@ using oracle_tests::read_triangulation;
 using oracle_tests::stems;
 using oracle_tests::text_of;
 using oracle_tests::with;
-
-/// Pairs of cells are intersected: beyond this the definitions take seconds.
-constexpr std::size_t kMaxCellsOfDefinitions = FLATDT_DEFINITION_CELLS;
-/// The conditions alone are nearly linear.
-constexpr std::size_t kMaxCellsOfConditions = FLATDT_CONDITION_CELLS;
 
 /// "verdict", "exit" and every condition of a record: key -> word.
 std::map<std::string, std::string> record_of(const std::string& text) {
@@ -50,7 +45,11 @@ std::string against_record(const Report& report, const std::map<std::string, std
   return text;
 }
 
+/// FLATDT_CONDITION_CELLS: exact rational arithmetic takes milliseconds a cell in space, so CI leaves out the
+/// largest files. FLATDT_DEFINITION_CELLS: pairs of cells are intersected, so the bound is lower.
 TEST(NaiveChecker, AgreesOnTheCorpora) {
+  const std::size_t max_cells_of_conditions = oracle_tests::setting("FLATDT_CONDITION_CELLS", 275);
+  const std::size_t max_cells_of_definitions = oracle_tests::setting("FLATDT_DEFINITION_CELLS", 100);
   std::size_t conditions = 0;
   std::size_t definitions = 0;
   std::size_t malformed = 0;
@@ -65,17 +64,13 @@ TEST(NaiveChecker, AgreesOnTheCorpora) {
       const checker::Instance instance = read_instance(text_of(with(stem, ".instance")));
       const checker::Triangulation triangulation =
           read_triangulation(text_of(with(stem, ".triangulation")), instance);
-      if (triangulation.cells.size() > kMaxCellsOfConditions) {
+      if (triangulation.cells.size() > max_cells_of_conditions) {
         ++too_large;
         continue;
       }
-      const bool is_small = triangulation.cells.size() <= kMaxCellsOfDefinitions;
-      const auto start = std::chrono::steady_clock::now();
+      const bool is_small = triangulation.cells.size() <= max_cells_of_definitions;
       const Report report =
           naive_check(instance, triangulation, is_small ? Depth::definitions : Depth::conditions);
-      if (std::getenv("FLATDT_TIMES") != nullptr)
-        std::cout << std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() << " s, "
-                  << triangulation.cells.size() << " cells " << stem << "\n";
       EXPECT_EQ(disagreement(report, check(instance, triangulation)), "");
       if (std::filesystem::exists(with(stem, ".expected"))) {
         EXPECT_EQ(against_record(report, record_of(text_of(with(stem, ".expected")))), "");
@@ -91,14 +86,36 @@ TEST(NaiveChecker, AgreesOnTheCorpora) {
     }
   }
   std::cout << conditions << " files compared on every condition, " << definitions
-            << " of them with the definitions (at most " << kMaxCellsOfDefinitions << " cells); " << too_large
-            << " too large (more than " << kMaxCellsOfConditions << " cells); " << malformed
+            << " of them with the definitions (at most " << max_cells_of_definitions << " cells); "
+            << too_large << " too large (more than " << max_cells_of_conditions << " cells); " << malformed
             << " refused by the parser\n";
   for (std::size_t k = 0; k < checker::kConditionCount; ++k) {
     const std::string name(to_string(static_cast<checker::ConditionName>(k)));
     std::cout << "  " << name << " fails in " << failing[name] << "\n";
     EXPECT_GT(failing[name], 0) << name;
   }
+}
+
+/// The oracle's comparison accepts the triangulations that are right and refuses those that are not Delaunay.
+TEST(Compare, AgreesWithTheCorpora) {
+  const std::size_t max_cells = oracle_tests::setting("FLATDT_CONDITION_CELLS", 275);
+  std::size_t right = 0;
+  std::size_t wrong = 0;
+  for (const std::string folder : {"/valid", "/invalid/delaunay.empty"}) {
+    for (const auto& stem : stems(FLATDT_CORPORA + folder, ".triangulation")) {
+      const checker::Instance instance = read_instance(text_of(with(stem, ".instance")));
+      const checker::Triangulation triangulation =
+          read_triangulation(text_of(with(stem, ".triangulation")), instance);
+      if (triangulation.cells.size() > max_cells) continue;
+      const std::string found =
+          oracle::difference(instance, oracle::delaunay_tessellation(instance), triangulation);
+      EXPECT_EQ(found.empty(), folder == "/valid") << stem << ": " << found;
+      ++(folder == "/valid" ? right : wrong);
+    }
+  }
+  std::cout << right << " triangulations equal to the tessellation, " << wrong << " refused\n";
+  EXPECT_GT(right, 0U);
+  EXPECT_GT(wrong, 0U);
 }
 
 }  // namespace

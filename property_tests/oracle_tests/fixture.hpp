@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -22,7 +24,7 @@ inline std::string text_of(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   std::stringstream text;
   text << in.rdbuf();
-  EXPECT_FALSE(text.str().empty()) << file;
+  EXPECT_TRUE(in.good() && std::filesystem::is_regular_file(file)) << file;
   return text.str();
 }
 
@@ -34,6 +36,12 @@ inline checker::Instance read_instance(const std::string& text) {
 inline checker::Triangulation read_triangulation(const std::string& text, const checker::Instance& instance) {
   std::istringstream in(text);
   return checker::parse_triangulation(in, "triangulation", instance);
+}
+
+/// How much of the dear part is done: a number from the environment, else that of CI.
+inline std::size_t setting(const char* name, std::size_t in_ci) {
+  const char* const value = std::getenv(name);
+  return value == nullptr ? in_ci : std::stoul(value);
 }
 
 /// The files of a folder whose names end in `extension`, in order; a path without the extension each.
