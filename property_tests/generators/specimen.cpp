@@ -88,11 +88,11 @@ std::ostream& operator<<(std::ostream& out, const Specimen& specimen) {
 Specimen read_specimen(const std::string& text, const std::string& file_name) {
   Specimen specimen = specimen_of(ref::parse_instance(text, file_name));
   const std::string key = ", choice ";
-  if (text.rfind("# family ", 0) == 0) {
-    const std::string line = text.substr(0, text.find('\n'));
-    if (const std::size_t at = line.find(key); at != std::string::npos)
-      specimen.choice = std::stoull(line.substr(at + key.size()));
-  }
+  const std::size_t line = ("\n" + text).find("\n# family ");
+  if (line == std::string::npos) return specimen;
+  const std::string comment = text.substr(line, text.find('\n', line) - line);
+  if (const std::size_t at = comment.find(key); at != std::string::npos)
+    specimen.choice = std::stoull(comment.substr(at + key.size()));
   return specimen;
 }
 

@@ -56,7 +56,7 @@ class Observed {
     std::replace(name.begin(), name.end(), '/', '-');
     const std::filesystem::path path = std::filesystem::path(directory == nullptr ? "." : directory) / name;
     std::ofstream out(path);
-    out << failing_ << "# fails " << test << ": " << reason_.substr(0, reason_.find('\n')) << "\n";
+    out << "# fails " << test << ": " << reason_.substr(0, reason_.find('\n')) << "\n" << failing_;
     return out ? path.string() : path.string() + " (could not be written)";
   }
 
