@@ -66,7 +66,7 @@ void claim_space_of(const Base& base, Draft& draft) {
   draft.triangulation().subgroup = base.triangulation().subgroup;
 }
 
-constexpr std::size_t kMostCells = 1000;
+constexpr std::size_t kMostCells = 1600;
 
 std::optional<Draft> unfolded_once(const Base& base, Random& random, std::size_t* sheets = nullptr) {
   const int factor = random.between(2, 3);
@@ -83,9 +83,10 @@ std::optional<Files> unfold(const Base& base, Random& random) {
 
 std::optional<Files> unfold_with_holonomy(const Base& base, Random& random) {
   if (base.subgroup().cosets().size() < 2) return std::nullopt;
-  const std::vector<Isometry> generators = with_one_element(base.subgroup(), random);
+  std::vector<Isometry> generators;
+  do generators = with_one_element(base.subgroup(), random);
+  while (generators.front().linear.is_identity());
   const CrystalGroup k(base.instance().gram, generators);
-  if (k.cosets().size() < 2) return std::nullopt;
   const std::vector<Isometry> cosets = base.subgroup().right_cosets(k);
   if (base.cell_count() * cosets.size() > kMostCells) return std::nullopt;
   return unfolded(base, generators, cosets).files();

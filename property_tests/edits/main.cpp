@@ -1,6 +1,6 @@
 /// Edits of valid triangulations on all twelve manifolds, judged by the checker: the table of scripts/edits.
-/// Exit code 0 only if every kind was tried, every edit that invalidates was refuted with the conditions that
-/// must fail, and none of those that keep validity.
+/// Exit code 0 only if every kind was tried (unless --quick), every edit that invalidates was refuted with
+/// the conditions that must fail, and none of those that keep validity.
 #include <cstdlib>
 #include <ctime>
 #include <fstream>
@@ -84,7 +84,8 @@ class Session {
               << " valid triangulations (" << in_cover_ << " of them of covering spaces); " << wrong_
               << " wrong, " << never << " kinds never applied; seed " << options_.seed << "; " << seconds
               << " s\n";
-    return wrong_ == 0 && never == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+    // The quick run is too small for some kinds; the table says so.
+    return wrong_ == 0 && (options_.quick || never == 0) ? EXIT_SUCCESS : EXIT_FAILURE;
   }
 
  private:
