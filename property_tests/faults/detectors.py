@@ -12,7 +12,7 @@ import workspace
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 import invalid_corpus_test  # noqa: E402
 
-LIMIT = 120  # seconds of CPU time for one program; the slowest takes a fifth of that without a fault
+LIMIT = 40  # seconds of CPU time for one program; the slowest takes a third of that without a fault
 
 
 @dataclasses.dataclass

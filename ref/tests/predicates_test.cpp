@@ -138,6 +138,30 @@ TEST(Predicates, StagesAgreeOnEveryManifoldAndFamily) {
   EXPECT_GT(zero_inspheres, 100);
 }
 
+/// Each point keeps a denominator of its own when the common one would be too long: d + 2 points are
+/// rescaled.
+TEST(Predicates, StagesAgreeOnUnrelatedLongDenominators) {
+  int zero_orientations = 0;
+  int zero_inspheres = 0;
+  SplitMix random(9);
+  for (const char* manifold : {"klein-bottle", "dicosm"}) {
+    Instance instance = make(manifold, "uniform", 6, 1);
+    for (std::size_t i = 0; i < instance.points.size(); ++i) {
+      mpz_class denominator;  // powers of six primes, about 140 bits each
+      constexpr std::array<std::pair<unsigned long, unsigned long>, 6> kPowers{
+          {{3, 90}, {5, 60}, {7, 50}, {11, 40}, {13, 38}, {17, 34}}};
+      mpz_ui_pow_ui(denominator.get_mpz_t(), kPowers[i].first, kPowers[i].second);
+      for (int k = 0; k < instance.dimension; ++k)
+        instance.points[i][k] =
+            Rational(Integer(mpz_class(denominator / (2 + random.below(97)))), Integer(denominator));
+    }
+    if (instance.dimension == 2)
+      stages_agree<2>(instance, 1, zero_orientations, zero_inspheres);
+    else
+      stages_agree<3>(instance, 2, zero_orientations, zero_inspheres);
+  }
+}
+
 TEST(Predicates, FilterIsSilentOnExactTies) {
   const World<3> world(make("torocosm", "grid", 8, 5));
   const Filter<3>& filter = world.filtered.filter();
