@@ -47,12 +47,15 @@ class Programs:
         nothing = self.scratch / "nothing"
         if target in ("parse_instance", "group", "triangulate", "predicates"):
             verdict, failing = self.verdict(files.get("instance") or files["txt"], nothing)
-            if verdict == "MALFORMED" or target == "parse_instance":
-                return "malformed" if verdict == "MALFORMED" else "well formed"
             refused = [name for name in failing if name.startswith("group.")]
+            if verdict == "MALFORMED" and not refused:
+                return "malformed"
+            if target == "parse_instance":
+                return "well formed"
             return f"{refused[0]} fails" if refused else "admissible"
         if target == "parse_triangulation":
-            return "malformed" if self.verdict(files["instance"], files["triangulation"])[0] == "MALFORMED" else "well formed"
+            malformed = self.verdict(files["instance"], files["triangulation"])[0] == "MALFORMED"
+            return "malformed" if malformed else "well formed"
         if target == "check":
             verdict, failing = self.verdict(files["instance"], files["triangulation"])
             return " ".join([verdict] + failing)

@@ -15,7 +15,7 @@ const Shape kShape = {.triangulation = true};
 namespace {
 
 /// Cells up to which the naive checker is asked for the conditions; it is quadratic.
-constexpr std::size_t kMaxCellsForConditions = 100;
+constexpr std::size_t kMaxCellsForConditions = 60;
 /// The definitions are decided by intersecting all pairs of cells that come near one another: that takes less
 /// than a second for few small cells in the plane only.
 constexpr std::size_t kMaxCellsForDefinitions = 12;
