@@ -172,27 +172,6 @@ TEST(GroupAnalysis, DependsOnTheGroupOnly) {
   }
 }
 
-TEST(GroupAnalysis, AddsTheImagesOfTranslations) {
-  // Three of full rank with the screw, but the screw takes (1 0 0) to (0 1 0).
-  const CatalogueEntry& entry = *find_entry("tetracosm");
-  std::vector<Isometry> generators = entry.generators;
-  std::erase_if(generators, [](const Isometry& g) { return g.linear.is_identity(); });
-  ASSERT_EQ(generators.size(), 1U);
-  generators.push_back(Isometry::translate(make_vector({1, 0, 0})));
-  generators.push_back(Isometry::translate(make_vector({0, 2, 0})));
-  EXPECT_TRUE(analyse(make_instance(generators, entry.canonical_gram)).lattice.is_identity());
-}
-
-TEST(GroupAnalysis, TheVolumeIsThatOfTheLatticeOverTheHolonomy) {
-  for (const CatalogueEntry& entry : catalogue()) {
-    const GroupAnalysis analysis = analyse(make_instance(entry.generators, entry.canonical_gram));
-    EXPECT_TRUE(analysis.lattice.is_identity()) << entry.name;
-    EXPECT_EQ(analysis.volume_squared * Rational(entry.holonomy_order * entry.holonomy_order),
-              entry.canonical_gram.determinant())
-        << entry.name;
-  }
-}
-
 TEST(GroupAnalysis, NamingAndListingGiveOneFrame) {
   for (const CatalogueEntry& entry : catalogue()) {
     std::vector<Isometry> listed = entry.coset_representatives;
