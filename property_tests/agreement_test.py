@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """flatdt against flatdt-check, on adversarial and small generated instances: agreement_test.py FLATDT FLATDT-CHECK CORPORA [--adversarial]
 
-For every instance: flatdt triangulates it and flatdt-check says VERIFIED. For those of corpora/adversarial also: the
-table in its README (delta^2, Delta^2, sheets, cells, reason) is what flatdt says. For generated ones also: another
-order of insertion and the cover of Theorem 10 give the same bytes. Stops at the first instance that goes wrong and
+For every instance: flatdt triangulates it, with the same bytes by both engines, and flatdt-check says VERIFIED. For those
+of corpora/adversarial also: the table in its README (delta^2, Delta^2, sheets, cells, reason) is what flatdt says. For
+generated ones also: another order of insertion and the cover of Theorem 10 give the same bytes. Stops at the first instance that goes wrong and
 says which one of how many it was. Standard library only; the same on every machine.
 """
 
@@ -104,8 +104,10 @@ def reason_text(reason):
 
 def check_adversarial(programs, path, row, folder):
     out, summary = folder / "t.triangulation", folder / "t.json"
-    programs.triangulate(path, out, "--json-summary", summary)
+    written = programs.triangulate(path, out, "--engine", "covering", "--json-summary", summary)
     programs.prove(path, out)
+    if programs.triangulate(path, out) != written:
+        raise Failure("the engines give different triangulations")
     facts = json.loads(summary.read_text())
     switched = facts["switched_after_points"]
     place = f"cover, {facts['sheets']}" if facts["stayed_in_cover"] else "manifold, " + (
@@ -142,8 +144,10 @@ def leaves_the_cover():
 def check_leaving(programs, folder):
     instance, out, summary = folder / "l.instance", folder / "l.triangulation", folder / "l.json"
     instance.write_text(leaves_the_cover())
-    programs.triangulate(instance, out, "--json-summary", summary)
+    written = programs.triangulate(instance, out, "--engine", "covering", "--json-summary", summary)
     programs.prove(instance, out)
+    if programs.triangulate(instance, out) != written:
+        raise Failure("the engines give different triangulations")
     switched = json.loads(summary.read_text())["switched_after_points"]
     if switched is None or int(switched) == 128:
         raise Failure(f"switched after {switched} points")
@@ -156,8 +160,12 @@ def check_generated(programs, job, folder):
                  "--metric", metric, "--seed", seed, "-o", instance)
     written = programs.triangulate(instance, out)
     programs.prove(instance, out)
-    if points <= 60 and programs.triangulate(instance, other, "--order", 1 + seed) != written:
-        raise Failure("another order of insertion gives another triangulation")
+    if programs.triangulate(instance, other, "--engine", "covering") != written:
+        raise Failure("the engines give different triangulations")
+    if points <= 60:
+        for engine in ("without-covers", "covering"):
+            if programs.triangulate(instance, other, "--engine", engine, "--order", 1 + seed) != written:
+                raise Failure(f"{engine}: another order of insertion gives another triangulation")
     if manifold in PLANAR and points <= 12 and programs.triangulate(instance, other, "--sheets", "theorem10") != written:
         raise Failure("the cover of Theorem 10 gives another triangulation")
 
