@@ -43,9 +43,16 @@ Rational squared_displacement(const Specimen& s) {
   return *least;
 }
 
+/// The engine that waits for the condition of Corollary 9.
+ref::TriangulationOptions covering() {
+  ref::TriangulationOptions options;
+  options.insertion = ref::Insertion::covering;
+  return options;
+}
+
 struct Answer {
   explicit Answer(const Specimen& s) : Answer(s, instance_of(s)) {}
-  Answer(const Specimen& s, const ref::Instance& instance) : result(triangulate(instance)) {
+  Answer(const Specimen& s, const ref::Instance& instance) : result(triangulate(instance, covering())) {
     const Quotient quotient(s);
     const Folded folded = fold(quotient, corners_of(instance, result.triangulation, s.coordinates));
     diameter_squared = squared_diameter(tessellate(quotient, s.gram, folded));

@@ -77,6 +77,7 @@ void any_order_seed(const Specimen& s) {
 
 void any_working_cover(const Specimen& s) {
   ref::TriangulationOptions theorem10;
+  theorem10.insertion = ref::Insertion::covering;
   theorem10.cover = ref::CoverChoice::theorem10;
   theorem10.max_sheets = 1'000'000;
   require(Outcome(s).bytes() == Outcome(s, theorem10).bytes(), "the bytes depend on the cover worked in");
