@@ -153,7 +153,7 @@ class Seeds:
                 self.encode("check", instance, triangulation)
                 if triangulation.stat().st_size <= LARGEST:
                     self.encode("parse_triangulation", instance, triangulation)
-        for dimension, counts in [(2, [1, 2, 5, 8]), (3, [1, 2])]:
+        for dimension, counts in [(2, [1, 2, 5, 8]), (3, [1, 2, 6])]:
             for points in counts:
                 for instance in self.generated(dimension, points):
                     for target in ["triangulate", "predicates"]:

@@ -164,16 +164,11 @@ bool break_vertex(Specimen& specimen, CodedVertex& vertex, Random& random) {
 }  // namespace
 
 bool recompute_cells(Specimen& specimen) {
-  // A mutation has to be quick: a few milliseconds.
-  constexpr long kMaxSheets = 60;
   try {
     const ref::Instance instance = instance_of(specimen);
     if (!ref::is_positive_definite(instance.gram)) return false;
     const ref::GroupAnalysis analysis = ref::analyse(instance);
-    const long sheets =
-        specimen.dimension() == 2 ? kMaxSheets : kMaxSheets / static_cast<long>(specimen.points.size());
-    return set_triangulation(specimen,
-                             ref::triangulate(instance, analysis, {.max_sheets = sheets}).triangulation);
+    return set_triangulation(specimen, ref::triangulate(instance, analysis, {}).triangulation);
   } catch (const ref::InvalidInput&) {
     return false;
   } catch (const ref::LimitReached&) {
