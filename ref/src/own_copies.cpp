@@ -27,8 +27,9 @@ std::vector<Lift> PeriodicDelaunay<D>::possible_own_neighbours(const OrbitPoint&
     const Lift copy = complex_.lift(OrbitPoint{q.site, g});
     sorted.emplace_back(setting_.predicates->filter().approximate_squared_distance(centre.x, copy.x), copy);
   }
-  std::stable_sort(sorted.begin(), sorted.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) {
+    return a.first != b.first ? a.first < b.first : a.second.point < b.second.point;
+  });
   std::vector<Lift> copies;
   for (const auto& [distance, copy] : sorted) copies.push_back(copy);
   return copies;
