@@ -23,9 +23,9 @@ class EveryManifold : public testing::TestWithParam<std::string> {};
 TEST_P(EveryManifold, TheEnginesAgree) {
   const CatalogueEntry& entry = *find_entry(GetParam());
   const std::vector<long> sizes =
-      entry.dimension == 2 ? std::vector<long>{1, 2, 3, 5, 9, 20} : std::vector<long>{1, 2, 4};
+      entry.dimension == 2 ? std::vector<long>{1, 2, 5, 20} : std::vector<long>{1, 2, 3};
   std::uint64_t seed = 17;
-  for (const char* family : {"uniform", "grid", "cospherical", "on-axis", "nearly-duplicate"})
+  for (const char* family : {"uniform", "grid", "cospherical", "on-axis"})
     for (const long n : sizes) {
       ++seed;
       const Instance instance =

@@ -95,7 +95,8 @@ TEST(Triangulate, DoesNotDependOnRepresentativesOrFileOrder) {
   std::uint64_t seed = 50;
   for (const CatalogueEntry& entry : catalogue()) {
     for (const char* family : {"grid", "cospherical"}) {
-      if (entry.holonomy_order > 2 && std::string(family) == "cospherical") continue;
+      if (entry.dimension == 3 && std::string(family) == "cospherical")
+        continue;  // covers are slow to compare
       const Instance instance = make(entry.name, family, 3, seed++);
       const TriangulationResult expected = solve(instance);
       // Other representatives of the same orbits.
