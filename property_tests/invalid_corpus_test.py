@@ -123,8 +123,7 @@ def stems(folder):
     return [os.path.join(folder, stem) for stem in found]
 
 
-FAKE = """#!/usr/bin/env python3
-# Prints what the record beside the instance says, in either format; argument BREAK (in the environment) spoils it.
+FAKE = f"#!{sys.executable} -IS\n" + """# Prints what the record beside the instance says, in either format; argument BREAK (in the environment) spoils it.
 import json, os, sys
 broken = os.environ.get("BREAK", "")
 rows = [l.split() for l in open(sys.argv[1].replace(".instance", ".expected")) if l[0] != "#"]

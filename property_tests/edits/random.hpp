@@ -1,5 +1,4 @@
 /// Random choices for edits, the same on every machine.
-/// Source: SplitMix64, Steele, Lea and Flood, "Fast splittable pseudorandom number generators", 2014.
 #pragma once
 
 #include <cstddef>
@@ -8,23 +7,14 @@
 #include <utility>
 #include <vector>
 
+#include "../generators/split_mix.hpp"
+
 namespace flatdt::edits {
 
-class Random {
+class Random : public testing::SplitMix64 {
  public:
   /// The stream of a seed and a name.
-  Random(std::uint64_t seed, std::string_view name) : state_(seed * 0x9E3779B97F4A7C15U) {
-    for (const char c : name) state_ = (state_ ^ static_cast<unsigned char>(c)) * 0x100000001B3U;
-    (void)next();
-  }
-
-  std::uint64_t next() {
-    state_ += 0x9E3779B97F4A7C15U;
-    std::uint64_t z = state_;
-    z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
-    z = (z ^ (z >> 27U)) * 0x94D049BB133111EBU;
-    return z ^ (z >> 31U);
-  }
+  Random(std::uint64_t seed, std::string_view name) : SplitMix64(start(seed, name)) { (void)next(); }
 
   /// A number of [0, bound); the bias of the remainder is below 2^-40 for the bounds here. Requires: bound >
   /// 0.
@@ -54,7 +44,11 @@ class Random {
   }
 
  private:
-  std::uint64_t state_;
+  static std::uint64_t start(std::uint64_t seed, std::string_view name) {
+    std::uint64_t state = seed * 0x9E3779B97F4A7C15U;
+    for (const char c : name) state = (state ^ static_cast<unsigned char>(c)) * 0x100000001B3U;
+    return state;
+  }
 };
 
 }  // namespace flatdt::edits

@@ -1,5 +1,4 @@
-/// Pseudo-random numbers that are the same on every machine (the standard library's distributions are not).
-/// Source: SplitMix64 [Steele, Lea & Flood 2014, fig. 17].
+/// Random choices for specimens, the same on every machine.
 #pragma once
 
 #include <cstddef>
@@ -8,19 +7,14 @@
 #include <vector>
 
 #include "flatdt/ref/exact.hpp"
+#include "split_mix.hpp"
 
 namespace flatdt::testing {
 
-class Random {
+class Random : public SplitMix64 {
  public:
-  explicit Random(std::uint64_t seed) : state_(seed) {}
+  using SplitMix64::SplitMix64;
 
-  std::uint64_t next() {
-    std::uint64_t z = (state_ += 0x9e3779b97f4a7c15ULL);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-    return z ^ (z >> 31);
-  }
   /// In [0, n), n > 0; uniform up to n / 2^64.
   std::uint64_t below(std::uint64_t n) { return next() % n; }
   /// In [low, high]. Requires: low <= high.
@@ -40,9 +34,6 @@ class Random {
   void shuffle(std::vector<T>& values) {
     for (std::size_t i = values.size(); i > 1; --i) std::swap(values[i - 1], values[below(i)]);
   }
-
- private:
-  std::uint64_t state_;
 };
 
 }  // namespace flatdt::testing

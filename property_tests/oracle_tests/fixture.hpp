@@ -67,11 +67,9 @@ struct Answer {
   checker::Triangulation triangulation;
 };
 
-inline Answer answer_of_ref(const std::string& instance_text, long max_sheets = 20000) {
+inline Answer answer_of_ref(const std::string& instance_text) {
   const ref::Instance given = ref::parse_instance(instance_text, "instance");
-  ref::TriangulationOptions options;
-  options.max_sheets = max_sheets;
-  ref::TriangulationResult result = ref::triangulate(given, ref::analyse(given), options);
+  ref::TriangulationResult result = ref::triangulate(given, ref::analyse(given), {});
   checker::Instance instance = read_instance(instance_text);
   checker::Triangulation triangulation =
       read_triangulation(ref::write_triangulation(result.triangulation, ref::describe(result)), instance);

@@ -21,12 +21,7 @@ void PeriodicDelaunay<D>::add_boundary_facet(const Location& inside, std::uint32
     b.vertex[j] = cell.vertex[j];
     b.offset[j] = table.multiply(lift, cell.offset[j]);
   }
-  const Element back = table.inverse(cell.gluing[facet]);
-  const auto& outside = complex_.cell(b.outside);
-  std::uint32_t f = 0;
-  while (f <= D && !(outside.neighbour[f] == inside.cell && outside.gluing[f] == back)) ++f;
-  ensure(f <= D, "neighbours know each other");
-  b.outside_facet = f;
+  b.outside_facet = complex_.mirror_facet(inside.cell, facet);
   // The base lift is positively oriented; under a reversing element two vertices change places.
   if (table.reverses_orientation(lift)) {
     const std::size_t j = facet == 0 ? 1 : 0;

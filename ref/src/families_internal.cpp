@@ -14,19 +14,11 @@ constexpr std::size_t index(int i) {
 
 }  // namespace
 
-Random::Random(std::uint64_t seed, std::string_view stream) : state_(seed) {
+Random::Random(std::uint64_t seed, std::string_view stream) : numbers_(seed) {
   // FNV-1a of the name, so that streams of one seed start at unrelated places.
   std::uint64_t hash = 0xcbf29ce484222325U;
   for (const char c : stream) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
-  state_ = next() ^ hash;
-}
-
-std::uint64_t Random::next() {
-  state_ += 0x9e3779b97f4a7c15U;
-  std::uint64_t z = state_;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
-  return z ^ (z >> 31);
+  numbers_ = SplitMix64(next() ^ hash);
 }
 
 std::uint64_t Random::below(std::uint64_t bound) {

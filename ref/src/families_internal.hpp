@@ -9,18 +9,16 @@
 
 #include "flatdt/ref/catalogue.hpp"
 #include "flatdt/ref/instance.hpp"
+#include "split_mix.hpp"
 
 namespace flatdt::ref::families_detail {
 
-/// Pseudo-random 64-bit numbers: a counter in steps of the golden ratio, mixed by two rounds of
-/// xor-shift-multiply. Integer arithmetic modulo 2^64 only, so the same on every machine; the distributions
-/// of the standard library are not.
-/// Source: SplitMix64 [SteeleLeaFlood14].
+/// Pseudo-random choices, the same on every machine.
 class Random {
  public:
   /// Streams of different names are independent for the same seed.
   Random(std::uint64_t seed, std::string_view stream);
-  std::uint64_t next();
+  std::uint64_t next() { return numbers_.next(); }
   /// Uniform in [0, bound). Requires: bound > 0.
   std::uint64_t below(std::uint64_t bound);
   /// Uniform in [low, high]. Requires: low <= high.
@@ -33,7 +31,7 @@ class Random {
   Vector integral(int dimension, long low, long high);
 
  private:
-  std::uint64_t state_;
+  SplitMix64 numbers_;
 };
 
 /// 20 bits: differences, their products and an insphere determinant of such coordinates fit 128 bits.

@@ -6,6 +6,7 @@
 #include "lifted_star.hpp"
 
 namespace flatdt::ref {
+
 /// The copies w q, w != 1, with w = h1 h2^-1 for lifts h1 c, h2 c of one cell c, of which h2 c is in the
 /// conflict region and h1 c in it or next to it; nearest first. Overlaps of the regions alone would not do:
 /// two regions that only touch along a facet can have neighbours for centres.
@@ -67,12 +68,7 @@ void PeriodicDelaunay<D>::replace_by_star(const std::vector<CellPoints<D>>& star
     for (std::uint32_t k = 0; k <= D; ++k) {
       const CellId outside = complex_.cell(c).neighbour[k];
       if (std::binary_search(removed.begin(), removed.end(), outside)) continue;
-      const Element back = setting_.table->inverse(complex_.cell(c).gluing[k]);
-      const auto& cell = complex_.cell(outside);
-      std::uint32_t f = 0;
-      while (f <= D && !(cell.neighbour[f] == c && cell.gluing[f] == back)) ++f;
-      ensure(f <= D, "neighbours know each other");
-      facets.push_back(complex_.facet(outside, f));
+      facets.push_back(complex_.facet(outside, complex_.mirror_facet(c, k)));
     }
   for (const CellId c : removed) complex_.delete_cell(c);
   for (const CellPoints<D>& points : cells) {

@@ -52,6 +52,16 @@ typename QuotientComplex<D>::FacetOccurrence QuotientComplex<D>::facet(CellId c,
 }
 
 template <int D>
+std::uint32_t QuotientComplex<D>::mirror_facet(CellId c, std::uint32_t k) const {
+  const Element back = table_->inverse(cell(c).gluing[k]);
+  const Cell& outside = cell(cell(c).neighbour[k]);
+  std::uint32_t f = 0;
+  while (f <= D && !(outside.neighbour[f] == c && outside.gluing[f] == back)) ++f;
+  ensure(f <= D, "neighbours know each other");
+  return f;
+}
+
+template <int D>
 CellId QuotientComplex<D>::add_cell(CellPoints<D> points, Predicates<D>& predicates) {
   std::array<Lift, D + 1> lifts;
   for (std::size_t k = 0; k <= D; ++k) lifts[k] = lift(points[k]);

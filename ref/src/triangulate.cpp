@@ -6,27 +6,13 @@
 
 #include "flatdt/ref/delaunay_hierarchy.hpp"
 #include "flatdt/ref/skeleton_cycles.hpp"
+#include "split_mix.hpp"
 
 namespace flatdt::ref {
 namespace {
 
-/// SplitMix64 [SteeleLeaFlood14]: the same numbers on every machine.
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : state_(seed) {}
-  std::uint64_t next() {
-    std::uint64_t z = (state_ += 0x9e3779b97f4a7c15ULL);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-    return z ^ (z >> 31);
-  }
-
- private:
-  std::uint64_t state_;
-};
-
 /// A random insertion order (the analysis of Section 4.3 asks for one).
-std::vector<SiteId> random_order(std::size_t n, Random& random) {
+std::vector<SiteId> random_order(std::size_t n, SplitMix64& random) {
   std::vector<SiteId> order(n);
   for (std::size_t i = 0; i < n; ++i) order[i] = SiteId{static_cast<std::uint32_t>(i)};
   for (std::size_t i = n; i > 1; --i) std::swap(order[i - 1], order[random.next() % i]);
@@ -34,7 +20,7 @@ std::vector<SiteId> random_order(std::size_t n, Random& random) {
 }
 
 /// Each orbit goes one level up with probability 1/kRatio ([Devillers02] recommends about 1/30).
-std::size_t random_level(Random& random) {
+std::size_t random_level(SplitMix64& random) {
   constexpr std::uint64_t kRatio = 30;
   std::size_t level = 0;
   while (level < 16 && random.next() % kRatio == 0) ++level;
@@ -152,7 +138,7 @@ class Run {
     DelaunayHierarchy<D> hierarchy(
         {&frame_, &table_, &sites_, &order_, &predicates_, &circumradius_, options_.region_limit}, worked_in,
         options_.insertion);
-    Random random(options_.order_seed);
+    SplitMix64 random(options_.order_seed);
     for (const SiteId site : random_order(sites_.size(), random))
       hierarchy.insert_orbit(site, std::min(random_level(random), hierarchy.levels()));
     result.hierarchy_levels = hierarchy.levels();

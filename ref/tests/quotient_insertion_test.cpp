@@ -1,7 +1,7 @@
 /// Insertion on the manifold itself while its complex is not simplicial: vertices that occur twice in a cell,
 /// cells with the same vertices, cells that are their own neighbours. There ids of cells and vertices
-/// determine nothing, only lifts do. (The engine itself inserts in simplicial complexes only; its data
-/// structure promises more.)
+/// determine nothing, only lifts do. Here only points whose conflict region is clear of its own copies; the
+/// others are in insertion_without_covers_test.cpp.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -120,6 +120,9 @@ class QuotientComplex {
     std::uint32_t facet;
   };
   [[nodiscard]] FacetOccurrence facet(CellId c, std::uint32_t k) const;
+  /// Which facet of the neighbour across facet k it is. The gluing decides: the neighbour's id alone may
+  /// stand at several facets.
+  [[nodiscard]] std::uint32_t mirror_facet(CellId c, std::uint32_t k) const;
 
   /// Adds a cell given by a lift, vertices in any order, all of whose sites have been added; it has no
   /// neighbours yet. Errors: InternalError if it is flat.
