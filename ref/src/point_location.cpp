@@ -31,7 +31,7 @@ Location PeriodicDelaunay<D>::locate(SiteId site, const Element& query, const Or
     std::size_t k = 0;
     while (cell.vertex[k] != start) ++k;
     // The lift with this vertex at s * base is s offset^-1; the query is seen through its inverse.
-    at.seen = table.multiply(table.multiply(cell.offset[k], table.inverse(split.s)), query);
+    at.seen = table.multiply(table.multiply(complex_.offset(at.cell, k), table.inverse(split.s)), query);
   }
   CellId previous = kNoCell;
   Element previous_gluing{};
@@ -45,11 +45,11 @@ Location PeriodicDelaunay<D>::locate(SiteId site, const Element& query, const Or
     for (std::uint32_t i = 0; i <= D && !moved_on; ++i) {
       const std::uint32_t k = (first + i) % (D + 1);
       const auto& cell = complex_.cell(at.cell);
-      if (cell.neighbour[k] == previous && cell.gluing[k] == previous_gluing) continue;
+      if (cell.neighbour[k] == previous && complex_.gluing(at.cell, k) == previous_gluing) continue;
       std::array<Lift, D + 1> replaced = lifts;
       replaced[k] = seen;
       if (setting_.predicates->orientation(replaced) != Sign::negative) continue;
-      const Element back = table.inverse(cell.gluing[k]);
+      const Element back = table.inverse(complex_.gluing(at.cell, k));
       previous = at.cell;
       previous_gluing = back;
       at = {cell.neighbour[k], table.multiply(back, at.seen)};

@@ -1,11 +1,12 @@
 #include "flatdt/ref/triangulate.hpp"
 
 #include <algorithm>
-#include <map>
-#include <numeric>
 
 #include "flatdt/ref/delaunay_hierarchy.hpp"
+#include "flatdt/ref/first_orbit.hpp"
+#include "flatdt/ref/insertion_order.hpp"
 #include "flatdt/ref/skeleton_cycles.hpp"
+#include "instance_elements.hpp"
 #include "split_mix.hpp"
 
 namespace flatdt::ref {
@@ -25,75 +26,6 @@ std::size_t random_level(SplitMix64& random) {
   std::size_t level = 0;
   while (level < 16 && random.next() % kRatio == 0) ++level;
   return level;
-}
-
-/// Group elements of the internal frame, applied to sites, as elements of the instance applied to its points.
-class InstanceElements {
- public:
-  InstanceElements(const Frame& frame, const GroupTable& table, const std::vector<Site>& sites)
-      : table_(&table),
-        sites_(&sites),
-        to_instance_{frame.basis, frame.origin},
-        from_instance_(to_instance_.inverse()) {
-    for (const Site& site : sites) point_to_site_.push_back(site.from_site.inverse() * from_instance_);
-    untranslated_.resize(sites.size() * static_cast<std::size_t>(table.cosets()));
-  }
-  /// The element e of the instance's group with e * points[site.point] = p.
-  [[nodiscard]] Isometry at(const OrbitPoint& p) {
-    // Products of rational matrices once for each site and coset; a translation then only adds lattice
-    // vectors.
-    std::optional<Isometry>& base =
-        untranslated_[index_of(p.site) * static_cast<std::size_t>(table_->cosets()) + p.g.coset];
-    if (!base)
-      base = to_instance_ * table_->isometry(Element{{}, p.g.coset}) * point_to_site_[index_of(p.site)];
-    Isometry element = *base;
-    for (int j = 0; j < table_->dimension(); ++j) {
-      const long t = p.g.t[static_cast<std::size_t>(j)];
-      if (t == 0) continue;
-      for (int i = 0; i < table_->dimension(); ++i)
-        element.translation[i] += Rational(t) * to_instance_.linear(i, j);
-    }
-    return element;
-  }
-  /// For an edge from site a to g * (site b): the element e with the edge from points[a] to e * points[b].
-  [[nodiscard]] Isometry between(SiteId a, const OrbitPoint& b) const {
-    return to_instance_ * (*sites_)[index_of(a)].from_site * table_->isometry(b.g) *
-           point_to_site_[index_of(b.site)];
-  }
-  [[nodiscard]] Isometry conjugate(const Isometry& g) const { return to_instance_ * g * from_instance_; }
-
- private:
-  const GroupTable* table_;
-  const std::vector<Site>* sites_;
-  Isometry to_instance_;
-  Isometry from_instance_;
-  std::vector<Isometry> point_to_site_;
-  std::vector<std::optional<Isometry>> untranslated_;
-};
-
-template <int D>
-Triangulation to_triangulation(const std::vector<CellPoints<D>>& cells, const std::vector<Site>& sites,
-                               InstanceElements& elements) {
-  Triangulation result;
-  result.dimension = D;
-  std::map<Isometry, std::uint32_t> numbers;
-  std::map<OrbitPoint, std::uint32_t> known;
-  for (const CellPoints<D>& cell : cells) {
-    std::array<Triangulation::CellVertex, 4> vertices{};
-    for (std::size_t k = 0; k <= D; ++k) {
-      const auto [entry, inserted] = known.try_emplace(cell[k], 0U);
-      if (inserted) {
-        Isometry element = elements.at(cell[k]);
-        const auto [number, is_new] =
-            numbers.try_emplace(element, static_cast<std::uint32_t>(result.elements.size()));
-        if (is_new) result.elements.push_back(std::move(element));
-        entry->second = number->second;
-      }
-      vertices[k] = {sites[index_of(cell[k].site)].point, entry->second};
-    }
-    result.cells.push_back(vertices);
-  }
-  return result;
 }
 
 /// The predicates take products of the metric's entries. The limit covers exponents down to 10^-1100 and
@@ -122,7 +54,7 @@ class Run {
         order_(frame_, table_),
         predicates_(frame_, table_, sites_, order_, options.stages),
         circumradius_(frame_, predicates_),
-        elements_(frame_, table_, sites_),
+        elements_(frame_, sites_, table_),
         options_(options) {}
 
   TriangulationResult operator()() {
@@ -135,19 +67,39 @@ class Run {
                                  : one_at_a_time_cover(frame_, options_.max_sheets);
     const Subgroup worked_in = result.working_cover ? Subgroup::sublattice(table_, *result.working_cover)
                                                     : order_.invariance_group();
-    DelaunayHierarchy<D> hierarchy(
-        {&frame_, &table_, &sites_, &order_, &predicates_, &circumradius_, options_.region_limit}, worked_in,
-        options_.insertion);
+    const Setting<D> setting{
+        &frame_, &table_, &sites_, &order_, &predicates_, &circumradius_, options_.region_limit};
+    if (options_.insertion == Insertion::without_covers && options_.order == InsertionOrder::batch)
+      insert_batch(PeriodicDelaunay<D>(setting, worked_in, options_.insertion), result);
+    else
+      insert_in_random_order(DelaunayHierarchy<D>(setting, worked_in, options_.insertion), result);
+    return result;
+  }
+
+ private:
+  void insert_batch(PeriodicDelaunay<D> level, TriangulationResult& result) {
+    const std::vector<SiteId> order = batch_order(frame_, sites_, options_.order_seed);
+    level.reserve(order.size());
+    level.start(order[0], triangulate_first_orbit<D>(frame_, table_, sites_, order_, predicates_, order[0]));
+    for (std::size_t i = 1; i < order.size(); ++i) {
+      level.add_site(order[i]);
+      for (std::uint32_t rep = 0; rep < level.copies(); ++rep) {
+        const Element query = level.complex().subgroup().representative(rep);
+        level.insert(order[i], rep, level.locate(order[i], query, {order[i - 1], query}));
+      }
+    }
+    finish(level.complex(), result);
+  }
+
+  void insert_in_random_order(DelaunayHierarchy<D> hierarchy, TriangulationResult& result) {
     SplitMix64 random(options_.order_seed);
     for (const SiteId site : random_order(sites_.size(), random))
       hierarchy.insert_orbit(site, std::min(random_level(random), hierarchy.levels()));
     result.hierarchy_levels = hierarchy.levels();
     result.switched_after = hierarchy.switched_after();
     finish(hierarchy.full().complex(), result);
-    return result;
   }
 
- private:
   void finish(const QuotientComplex<D>& complex, TriangulationResult& result) {
     const Subgroup whole = Subgroup::whole(table_);
     const Subgroup& invariance = order_.invariance_group();
@@ -161,7 +113,8 @@ class Run {
     } else {
       cells = *cells_modulo<D>(table_, whole, cells, 1);
     }
-    result.empty_diameter_squared = squared_diameter(complex, cells);
+    result.empty_diameter_squared =
+        circumradius_.squared_diameter(cells, [&complex](const OrbitPoint& p) { return complex.lift(p); });
 
     // The end-of-run test of Section 4.1: modulo G, if the triangulation is invariant under all of G, look
     // for a loop or a 2-cycle (Theorem 7 and its converse).
@@ -170,35 +123,35 @@ class Run {
       quotient = cells_modulo<D>(table_, whole, cells, invariance.index());
     if (!quotient) {
       result.reason = not_invariant(cells);
-    } else if (const auto cycle = find_short_cycle<D>(table_, *quotient)) {
+    } else if (const auto cycle = find_cycle(*quotient, result.empty_diameter_squared)) {
       result.reason = explain(*cycle);
     } else {
-      result.triangulation = to_triangulation<D>(*quotient, sites_, elements_);
+      result.triangulation = to_triangulation<D>(*quotient, elements_);
       return;
     }
     ensure(!result.switched_after.has_value(), "Corollary 9: no loop or 2-cycle after the switch");
     write_cover(cells, result);
   }
 
+  /// Corollary 9: no loop or 2-cycle if the largest empty ball's diameter is below delta/2.
+  std::optional<ShortCycle> find_cycle(const std::vector<CellPoints<D>>& cells,
+                                       const Rational& diameter_squared) {
+    if (Rational(4) * diameter_squared < frame_.delta_squared) return std::nullopt;
+    return find_short_cycle<D>(table_, cells);
+  }
+
   void write_cover(const std::vector<CellPoints<D>>& cells, TriangulationResult& result) {
     const Sublattice smallest = complete_orbit_cover(frame_);
     const Subgroup target = Subgroup::sublattice(table_, smallest);
     const std::vector<CellPoints<D>> unfolded = unfold<D>(table_, order_.invariance_group(), target, cells);
-    ensure(is_simplicial<D>(table_, target, unfolded),
+    ensure(is_simplicial<D>(table_, order_.invariance_group(), target, cells),
            "the complete-orbit cover is simplicial for every point set");
-    result.triangulation = to_triangulation<D>(unfolded, sites_, elements_);
+    result.triangulation = to_triangulation<D>(unfolded, elements_);
     result.triangulation.has_subgroup = true;
     for (int j = 0; j < D; ++j)
       result.triangulation.subgroup.push_back(
           elements_.conjugate(Isometry::translate(smallest.basis.column(j))));
     result.sheets = smallest.sheets;
-  }
-
-  Rational squared_diameter(const QuotientComplex<D>& complex, const std::vector<CellPoints<D>>& cells) {
-    std::vector<std::array<Lift, D + 1>> lifts(cells.size());
-    for (std::size_t c = 0; c < cells.size(); ++c)
-      for (std::size_t k = 0; k <= D; ++k) lifts[c][k] = complex.lift(cells[c][k]);
-    return circumradius_.squared_diameter(lifts);
   }
 
   StayedInCover explain(const ShortCycle& cycle) const {

@@ -50,8 +50,7 @@ struct World {
   Vector position(const OrbitPoint& p) const {
     Vector x(D);
     const Site& site = sites[index_of(p.site)];
-    for (int i = 0; i < D; ++i)
-      x[i] = Rational(Integer(site.numerators[static_cast<std::size_t>(i)]), Integer(site.denominator));
+    for (int i = 0; i < D; ++i) x[i] = Rational(site.numerator(i), site.denominator());
     return table.isometry(p.g) * x;
   }
 

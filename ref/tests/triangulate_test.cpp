@@ -257,7 +257,7 @@ TEST(Covers, BoundingOneEndOfAnEdgeIsNotEnough) {
       level.insert(q, rep,
                    level.locate(q, copy, level.start_near(level.complex().lift(OrbitPoint{q, copy}))));
     }
-    return is_simplicial<2>(table, subgroup, level.complex().all_cells());
+    return is_simplicial<2>(table, subgroup, subgroup, level.complex().all_cells());
   };
   Element six;
   six.t[0] = 6;

@@ -21,6 +21,13 @@ struct Element {
   /// A total order for sorting; it has no geometric meaning.
   friend auto operator<=>(const Element&, const Element&) = default;
   [[nodiscard]] bool is_identity() const { return *this == Element{}; }
+  /// All of it in one number.
+  [[nodiscard]] std::uint64_t packed() const {
+    const auto bits = [](std::int16_t value) {
+      return static_cast<std::uint64_t>(static_cast<std::uint16_t>(value));
+    };
+    return bits(t[0]) | bits(t[1]) << 16U | bits(t[2]) << 32U | static_cast<std::uint64_t>(coset) << 48U;
+  }
 };
 
 class GroupTable {

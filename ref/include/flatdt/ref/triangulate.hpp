@@ -16,8 +16,16 @@ namespace flatdt::ref {
 
 enum class CoverChoice : std::uint8_t { smallest, theorem10 };
 
+/// In which order orbits are inserted, and how they are located.
+enum class InsertionOrder : std::uint8_t {
+  batch,  // along a space-filling curve, each from the one before it (insertion_order.hpp)
+  random  // by the Delaunay hierarchy (Section 4.2): what a user who inserts points one by one gets
+};
+
 struct TriangulationOptions {
   Insertion insertion = Insertion::without_covers;
+  /// The covering engine inserts in random order, as Section 4.3 has it, whatever stands here.
+  InsertionOrder order = InsertionOrder::batch;
   /// The cover that copies are inserted in, by the covering engine.
   CoverChoice cover = CoverChoice::smallest;
   /// Seed of the insertion order and of the hierarchy's levels. The triangulation does not depend on it.
