@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 
 namespace flatdt::ref {
 namespace {
@@ -200,15 +199,10 @@ double Circumradius<D>::upper_bound(const std::array<Lift, D + 1>& cell) const {
 template <int D>
 Rational Circumradius<D>::largest(const std::vector<Candidate>& candidates, double least) {
   ensure(!candidates.empty(), "a triangulation has a cell");
-  // Congruent cells, of which lattices have many, are compared once.
-  std::set<typename FixedPredicates<D>::Edges> known;
   Integer numerator = -1;
   Integer denominator = 1;
   for (const Candidate& candidate : candidates) {
     if (candidate.upper < least) continue;
-    if (const auto edges = predicates_->fixed().edges(candidate.points);
-        edges && !known.insert(*edges).second)
-      continue;
     const auto [n, m] = predicates_->exact().squared_circumradius(candidate.points);
     if (n * denominator > numerator * m) {
       numerator = n;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 #include <vector>
 
 #include "flatdt/ref/quotient_complex.hpp"
@@ -30,11 +31,15 @@ class Circumradius {
   template <class LiftOf>
   [[nodiscard]] Rational squared_diameter(const std::vector<CellPoints<D>>& cells, const LiftOf& lift) {
     std::vector<Candidate> candidates;
+    std::set<typename FixedPredicates<D>::Edges> known;
     double least = -1;
     for (const CellPoints<D>& points : cells) {
       std::array<Lift, D + 1> cell;
       for (std::size_t k = 0; k <= D; ++k) cell[k] = lift(points[k]);
       if (upper_bound(cell) < least) continue;
+      // Congruent cells, of which lattices have many, are compared once.
+      const auto edges = predicates_->fixed().edges(points);
+      if (edges && !known.insert(*edges).second) continue;
       const Interval r = enclose(cell, kUnbounded);
       if (r.hi < least) continue;
       least = std::max(least, r.lo);
