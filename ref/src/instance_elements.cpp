@@ -5,50 +5,65 @@
 #include <utility>
 
 namespace flatdt::ref {
+
+Isometry InstanceElements::at(const OrbitPoint& p) const {
+  return conjugate(group_->table().isometry(p.g) * site(p.site).from_site(group_->frame()).inverse());
+}
+
+Isometry InstanceElements::between(SiteId a, const OrbitPoint& b) const {
+  return conjugate(site(a).from_site(group_->frame()) * group_->table().isometry(b.g) *
+                   site(b.site).from_site(group_->frame()).inverse());
+}
+
+/// With s = {t} r the site's element: g s^-1 = g r^-1 {-t}, and g r^-1 moves -t by its linear part.
+std::optional<InstanceElements::FrameElement> InstanceElements::in_frame(const OrbitPoint& p) const {
+  const Site& s = site(p.site);
+  if (s.large) return std::nullopt;
+  const GroupTable& table = group_->table();
+  const Element g = s.coset == 0 ? p.g : table.multiply(p.g, table.inverse(Element{{}, s.coset}));
+  FrameElement result{{g.t[0], g.t[1], g.t[2]}, g.coset};
+  const GroupTable::Linear& linear = table.linear(g.coset);
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      result.translation[i] -= std::int64_t{linear[3 * i + j]} * s.translation[j];
+  return result;
+}
+
 namespace {
 
-/// Numbers the elements of a triangulation as they come. Few are distinct, so most are recognised by what
-/// determines them: an element of the frame and a site's element, without any product of rational matrices.
+/// Numbers the elements of a triangulation as they come. Few are distinct.
 class ElementNumbers {
  public:
   explicit ElementNumbers(const InstanceElements& elements) : elements_(&elements) {}
 
+  /// Either all sites of an instance are large or none is, so that one of the two tables has all elements.
   std::uint32_t operator()(const OrbitPoint& p) {
-    const Site& site = elements_->site(p.site);
-    if (site.large) return number(elements_->at(p));
-    const Key key{p.g, site.coset, site.translation};
-    if (const auto known = known_.find(key); known != known_.end()) return known->second;
-    return known_.emplace(key, number(elements_->at(p))).first->second;
+    const auto next = static_cast<std::uint32_t>(listed_.size());
+    if (const auto key = elements_->in_frame(p)) {
+      const auto [entry, is_new] = small_.try_emplace(*key, next);
+      if (is_new) listed_.push_back(elements_->group().in_instance(key->coset, key->translation));
+      return entry->second;
+    }
+    const auto [entry, is_new] = large_.try_emplace(elements_->at(p), next);
+    if (is_new) listed_.push_back(entry->first);
+    return entry->second;
   }
-  [[nodiscard]] std::vector<Isometry> take() && {
-    std::vector<Isometry> result(listed_.size(), Isometry{Matrix(0), Vector(0)});
-    for (auto& [element, number] : listed_) result[number] = element;
-    return result;
-  }
+  [[nodiscard]] std::vector<Isometry> take() && { return std::move(listed_); }
 
  private:
-  struct Key {
-    Element g;
-    std::uint16_t coset;
-    std::array<std::int32_t, 3> translation;
-    friend bool operator==(const Key&, const Key&) = default;
-  };
   struct Hash {
-    std::size_t operator()(const Key& key) const {
-      std::uint64_t hash = key.g.packed() ^ key.coset;
-      for (const std::int32_t t : key.translation)
-        hash = (hash ^ static_cast<std::uint32_t>(t)) * 0x9e3779b97f4a7c15U;
+    std::size_t operator()(const InstanceElements::FrameElement& key) const {
+      std::uint64_t hash = key.coset;
+      for (const std::int64_t t : key.translation)
+        hash = (hash ^ static_cast<std::uint64_t>(t)) * 0x9e3779b97f4a7c15U;
       return hash ^ hash >> 29U;
     }
   };
 
-  std::uint32_t number(Isometry element) {
-    return listed_.try_emplace(std::move(element), static_cast<std::uint32_t>(listed_.size())).first->second;
-  }
-
   const InstanceElements* elements_;
-  std::unordered_map<Key, std::uint32_t, Hash> known_;
-  std::map<Isometry, std::uint32_t> listed_;
+  std::vector<Isometry> listed_;
+  std::unordered_map<InstanceElements::FrameElement, std::uint32_t, Hash> small_;
+  std::map<Isometry, std::uint32_t> large_;
 };
 
 }  // namespace

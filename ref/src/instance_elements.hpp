@@ -1,8 +1,10 @@
 /// The answer in the instance's terms: its points, its coordinates, its group's elements.
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "flatdt/ref/prepared_group.hpp"
 #include "flatdt/ref/quotient_complex.hpp"
 #include "flatdt/ref/triangulation_format.hpp"
 
@@ -11,37 +13,36 @@ namespace flatdt::ref {
 /// Group elements of the internal frame, applied to sites, as elements of the instance applied to its points.
 class InstanceElements {
  public:
-  InstanceElements(const Frame& frame, const std::vector<Site>& sites, const GroupTable& table)
-      : frame_(&frame),
-        table_(&table),
-        sites_(&sites),
-        to_instance_{frame.basis, frame.origin},
-        from_instance_(to_instance_.inverse()) {}
+  InstanceElements(const PreparedGroup& group, const std::vector<Site>& sites)
+      : group_(&group), sites_(&sites) {}
 
   /// The element e of the instance's group with e * points[site.point] = p.
-  [[nodiscard]] Isometry at(const OrbitPoint& p) const {
-    return to_instance_ * table_->isometry(p.g) * site(p.site).from_site(*frame_).inverse() * from_instance_;
-  }
+  [[nodiscard]] Isometry at(const OrbitPoint& p) const;
   /// For an edge from site a to g * (site b): the element e with the edge from points[a] to e * points[b].
-  [[nodiscard]] Isometry between(SiteId a, const OrbitPoint& b) const {
-    return to_instance_ * site(a).from_site(*frame_) * table_->isometry(b.g) *
-           site(b.site).from_site(*frame_).inverse() * from_instance_;
+  [[nodiscard]] Isometry between(SiteId a, const OrbitPoint& b) const;
+  /// An element of the frame's group in the instance's coordinates.
+  [[nodiscard]] Isometry conjugate(const Isometry& g) const {
+    return group_->to_instance() * g * group_->to_instance().inverse();
   }
-  [[nodiscard]] Isometry conjugate(const Isometry& g) const { return to_instance_ * g * from_instance_; }
+
+  /// The same as at(), in the frame and in machine integers; nothing if the site's element is a large one.
+  struct FrameElement {
+    std::array<std::int64_t, 3> translation{};
+    std::uint16_t coset = 0;
+    friend bool operator==(const FrameElement&, const FrameElement&) = default;
+  };
+  [[nodiscard]] std::optional<FrameElement> in_frame(const OrbitPoint& p) const;
 
   [[nodiscard]] const Site& site(SiteId id) const { return (*sites_)[index_of(id)]; }
-  [[nodiscard]] const GroupTable& table() const { return *table_; }
+  [[nodiscard]] const PreparedGroup& group() const { return *group_; }
 
  private:
-  const Frame* frame_;
-  const GroupTable* table_;
+  const PreparedGroup* group_;
   const std::vector<Site>* sites_;
-  Isometry to_instance_;
-  Isometry from_instance_;
 };
 
 /// Cells of GP as cells of the instance's points, elements numbered as they come.
-/// Complexity: O(number of vertices), and products of rational matrices for each distinct element.
+/// Complexity: O(number of vertices), and some rational arithmetic for each distinct element.
 template <int D>
 Triangulation to_triangulation(const std::vector<CellPoints<D>>& cells, const InstanceElements& elements);
 
