@@ -5,7 +5,6 @@
 
 #include "flatdt/ref/lattice.hpp"
 #include "lattice_descent.hpp"
-#include "small_closest_vectors.hpp"
 
 namespace flatdt::ref {
 namespace {
@@ -41,16 +40,6 @@ Rational shortest_squared_length(const Matrix& gram) {
 std::vector<Vector> closest_vectors(const Matrix& gram, const Vector& x) {
   const int d = gram.dimension();
   const ReducedBasis reduced = reduce_basis(gram);
-  if (reduced.transform.is_identity())
-    if (const auto small = small_closest_vectors(gram, x)) {
-      std::vector<Vector> closest;
-      for (const auto& s : *small) {
-        closest.emplace_back(d);
-        for (int i = 0; i < d; ++i) closest.back()[i] = static_cast<long>(s[static_cast<std::size_t>(i)]);
-      }
-      std::sort(closest.begin(), closest.end());
-      return closest;
-    }
   const std::vector<Vector> relevant = relevant_vectors(Matrix::identity(d));
   Vector start = reduced.transform.inverse() * x;
   for (int i = 0; i < d; ++i) start[i] = start[i] - Rational(floor(start[i]));

@@ -38,17 +38,23 @@ class ElementNumbers {
 
   /// Either all sites of an instance are large or none is, so that one of the two tables has all elements.
   std::uint32_t operator()(const OrbitPoint& p) {
-    const auto next = static_cast<std::uint32_t>(listed_.size());
     if (const auto key = elements_->in_frame(p)) {
-      const auto [entry, is_new] = small_.try_emplace(*key, next);
-      if (is_new) listed_.push_back(elements_->group().in_instance(key->coset, key->translation));
+      const auto [entry, is_new] = small_.try_emplace(*key, static_cast<std::uint32_t>(keys_.size()));
+      if (is_new) keys_.push_back(*key);
       return entry->second;
     }
-    const auto [entry, is_new] = large_.try_emplace(elements_->at(p), next);
-    if (is_new) listed_.push_back(entry->first);
-    return entry->second;
+    return large_.try_emplace(elements_->at(p), static_cast<std::uint32_t>(large_.size())).first->second;
   }
-  [[nodiscard]] std::vector<Isometry> take() && { return std::move(listed_); }
+  [[nodiscard]] std::vector<Isometry> listed() const {
+    std::vector<Isometry> result;
+    result.reserve(keys_.size());
+    for (const auto& key : keys_)
+      result.push_back(elements_->group().in_instance(key.coset, key.translation));
+    if (large_.empty()) return result;
+    result.assign(large_.size(), Isometry{Matrix(0), Vector(0)});
+    for (const auto& [element, number] : large_) result[number] = element;
+    return result;
+  }
 
  private:
   struct Hash {
@@ -61,7 +67,7 @@ class ElementNumbers {
   };
 
   const InstanceElements* elements_;
-  std::vector<Isometry> listed_;
+  std::vector<InstanceElements::FrameElement> keys_;
   std::unordered_map<InstanceElements::FrameElement, std::uint32_t, Hash> small_;
   std::map<Isometry, std::uint32_t> large_;
 };
@@ -79,7 +85,7 @@ Triangulation to_triangulation(const std::vector<CellPoints<D>>& cells, const In
     for (std::size_t k = 0; k <= D; ++k) vertices[k] = {elements.site(cell[k].site).point, numbers(cell[k])};
     result.cells.push_back(vertices);
   }
-  result.elements = std::move(numbers).take();
+  result.elements = numbers.listed();
   return result;
 }
 

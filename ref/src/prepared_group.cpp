@@ -42,8 +42,7 @@ Isometry PreparedGroup::in_instance(std::uint16_t coset,
   for (int j = 0; j < frame_.dimension; ++j) {
     const long t = translation[static_cast<std::size_t>(j)];
     if (t == 0) continue;
-    for (int i = 0; i < frame_.dimension; ++i)
-      if (!frame_.basis(i, j).is_zero()) element.translation[i] += Rational(t) * frame_.basis(i, j);
+    for (int i = 0; i < frame_.dimension; ++i) element.translation[i].add_multiple(t, frame_.basis(i, j));
   }
   return element;
 }

@@ -3,6 +3,7 @@
 /// Invariants: an Element {coset c, t} is the map x -> R_c x + tau_c + t in frame coordinates, t integral.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <compare>
 #include <cstdint>
@@ -68,6 +69,25 @@ class GroupTable {
     return {r[0] * x[0] + r[1] * x[1] + r[2] * x[2] + tau[0] + g.t[0],
             r[3] * x[0] + r[4] * x[1] + r[5] * x[2] + tau[1] + g.t[1],
             r[6] * x[0] + r[7] * x[1] + r[8] * x[2] + tau[2] + g.t[2]};
+  }
+  /// g x exactly, for x over a denominator that is a multiple of translation_denominator().
+  /// Requires: denominator < 2^42 and |x| < 2^42, so that 2^16 lattice vectors stay below 2^60.
+  [[nodiscard]] std::array<std::int64_t, 3> apply(const Element& g, const std::array<std::int64_t, 3>& x,
+                                                  std::int64_t denominator) const {
+    const Linear& r = linear_[g.coset];
+    std::array<std::int64_t, 3> result{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      result[i] = denominator / denominator_ * scaled_tau_[g.coset][i] + denominator * g.t[i];
+      for (std::size_t j = 0; j < 3; ++j) result[i] += r[3 * i + j] * x[j];
+    }
+    return result;
+  }
+  /// The translation by t after a coset's representative. Throws LimitReached when it does not fit.
+  [[nodiscard]] Element translated(const std::array<std::int64_t, 3>& t, std::uint16_t coset) const {
+    const auto clipped = [](std::int64_t x) {
+      return static_cast<int>(std::clamp<std::int64_t>(x, -100'000, 100'000));
+    };
+    return checked(clipped(t[0]), clipped(t[1]), clipped(t[2]), coset);
   }
   /// The linear part R_c, row by row (3 x 3, unused entries 0).
   using Linear = std::array<int, 9>;
