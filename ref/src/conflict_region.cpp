@@ -5,6 +5,10 @@ namespace flatdt::ref {
 
 template <int D>
 bool PeriodicDelaunay<D>::in_conflict(CellId c, const OrbitPoint& seen) const {
+  // Coordinates decide nearly always: the lifts are made only where they do not.
+  const auto sign =
+      setting_.predicates->quick_insphere(complex_.base_coordinates(c), complex_.coordinates(seen));
+  if (sign) return *sign == Sign::positive;
   return setting_.predicates->conflict_sos(complex_.base_lift(c), complex_.lift(seen));
 }
 

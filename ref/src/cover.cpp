@@ -154,8 +154,12 @@ Sublattice one_at_a_time_cover(const Frame& frame, long max_sheets) {
 }
 
 Sublattice complete_orbit_cover(const Frame& frame) {
+  return smallest_cover_without(frame, vectors_of_four_cells(frame.gram));
+}
+
+Sublattice smallest_cover_without(const Frame& frame, const std::vector<Vector>& vectors) {
   // At most 27 indices and 250 vectors: no limit on the work.
-  SublatticeSearch search(frame, vectors_of_four_cells(frame.gram), std::numeric_limits<long>::max());
+  SublatticeSearch search(frame, vectors, std::numeric_limits<long>::max());
   for (long index = 1; index <= (frame.dimension == 2 ? 9 : 27); ++index)
     if (auto found = search.least_of_index(index)) return *std::move(found);
   throw InternalError("3L meets 4V in 0 only");

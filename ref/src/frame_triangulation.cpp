@@ -107,11 +107,24 @@ class Run {
       return;
     }
     ensure(!result_.switched_after.has_value(), "Corollary 9: no loop or 2-cycle after the switch");
-    result_.cover = group_.complete_orbit_cover();
+    const std::vector<Element> excluded = cycle_translations<D>(table, invariance, *cells);
+    result_.cover = options_.smallest_cover ? smallest_cover_without(group_.frame(), vectors(excluded))
+                                            : group_.complete_orbit_cover();
     const Subgroup target = Subgroup::sublattice(table, *result_.cover);
-    ensure(is_simplicial<D>(table, invariance, target, *cells),
-           "the complete-orbit cover is simplicial for every point set");
+    ensure(!contains_any(target, excluded), "the complete-orbit cover is simplicial for every point set");
     result_.cells = unfold<D>(table, invariance, target, *cells);
+  }
+
+  /// The translations and their opposites.
+  static std::vector<Vector> vectors(const std::vector<Element>& translations) {
+    std::vector<Vector> result;
+    for (const Element& t : translations) {
+      Vector v(D);
+      for (int i = 0; i < D; ++i) v[i] = static_cast<long>(t.t[static_cast<std::size_t>(i)]);
+      result.push_back(v);
+      result.push_back(-v);
+    }
+    return result;
   }
 
   /// Corollary 9: no loop or 2-cycle if the largest empty ball's diameter is below delta/2.

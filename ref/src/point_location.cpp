@@ -36,8 +36,8 @@ Location PeriodicDelaunay<D>::locate(SiteId site, const Element& query, const Or
   CellId previous = kNoCell;
   Element previous_gluing{};
   for (;;) {
-    std::array<Lift, D + 1> lifts = complex_.base_lift(at.cell);
-    const Lift seen = complex_.lift(OrbitPoint{site, at.seen});
+    const auto lifts = complex_.base_coordinates(at.cell);
+    const auto seen = complex_.coordinates(OrbitPoint{site, at.seen});
     // A pseudo-random first facet: a fixed order makes walks long on regular grids.
     walk_state_ = walk_state_ * 6364136223846793005ULL + 1442695040888963407ULL;
     const std::uint32_t first = static_cast<std::uint32_t>(walk_state_ >> 33) % (D + 1);
@@ -46,9 +46,15 @@ Location PeriodicDelaunay<D>::locate(SiteId site, const Element& query, const Or
       const std::uint32_t k = (first + i) % (D + 1);
       const auto& cell = complex_.cell(at.cell);
       if (cell.neighbour[k] == previous && complex_.gluing(at.cell, k) == previous_gluing) continue;
-      std::array<Lift, D + 1> replaced = lifts;
+      auto replaced = lifts;
       replaced[k] = seen;
-      if (setting_.predicates->orientation(replaced) != Sign::negative) continue;
+      std::optional<Sign> side = setting_.predicates->quick_orientation(replaced);
+      if (!side) {
+        std::array<Lift, D + 1> exactly = complex_.base_lift(at.cell);
+        exactly[k] = complex_.lift(OrbitPoint{site, at.seen});
+        side = setting_.predicates->orientation(exactly);
+      }
+      if (*side != Sign::negative) continue;
       const Element back = table.inverse(complex_.gluing(at.cell, k));
       previous = at.cell;
       previous_gluing = back;

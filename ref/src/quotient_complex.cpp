@@ -6,7 +6,7 @@
 namespace flatdt::ref {
 namespace {
 
-/// Sorts lists of points: by counting of the first site, then each site's few lists.
+/// Sorts lists of points in place: by counting of the first site, then each site's few lists.
 template <int D>
 void sort_keys(std::vector<CellPoints<D>>& keys) {
   std::uint32_t last = 0;
@@ -14,13 +14,19 @@ void sort_keys(std::vector<CellPoints<D>>& keys) {
   std::vector<std::size_t> begin(std::size_t{last} + 2);
   for (const CellPoints<D>& key : keys) ++begin[index_of(key[0].site) + 1];
   for (std::size_t site = 0; site <= last; ++site) begin[site + 1] += begin[site];
-  std::vector<CellPoints<D>> sorted(keys.size());
   std::vector<std::size_t> next = begin;
-  for (const CellPoints<D>& key : keys) sorted[next[index_of(key[0].site)]++] = key;
+  // Each exchange brings one list to its site's part for good.
   for (std::size_t site = 0; site <= last; ++site)
-    std::sort(sorted.begin() + static_cast<std::ptrdiff_t>(begin[site]),
-              sorted.begin() + static_cast<std::ptrdiff_t>(begin[site + 1]));
-  keys = std::move(sorted);
+    while (next[site] < begin[site + 1]) {
+      const std::size_t home = index_of(keys[next[site]][0].site);
+      if (home == site)
+        ++next[site];
+      else
+        std::swap(keys[next[site]], keys[next[home]++]);
+    }
+  for (std::size_t site = 0; site <= last; ++site)
+    std::sort(keys.begin() + static_cast<std::ptrdiff_t>(begin[site]),
+              keys.begin() + static_cast<std::ptrdiff_t>(begin[site + 1]));
 }
 
 }  // namespace
@@ -63,7 +69,8 @@ void QuotientComplex<D>::delete_cell(CellId c) {
 template <int D>
 void QuotientComplex<D>::reserve(std::size_t vertices) {
   vertices_.reserve(vertices);
-  // Expected cells of evenly spread points: 24 pi^2 / 35 = 6.77 a point in space [Miles70], 2 in the plane.
+  // Expected cells of evenly spread points: 24 pi^2 / 35 = 6.77 a point in space [Meijering53], 2 in the
+  // plane.
   cells_.reserve(D == 2 ? 2 * vertices : vertices * 69 / 10);
 }
 
@@ -169,22 +176,20 @@ std::vector<CellPoints<D>> QuotientComplex<D>::all_cells() const {
 
 template <int D>
 std::optional<std::vector<CellPoints<D>>> cells_modulo(const GroupTable& table, const Subgroup& group,
-                                                       const std::vector<CellPoints<D>>& cells,
+                                                       std::vector<CellPoints<D>> cells,
                                                        std::uint32_t multiplicity) {
-  std::vector<CellPoints<D>> keys;
-  keys.reserve(cells.size());
-  for (const CellPoints<D>& cell : cells) keys.push_back(canonical_face<D + 1>(table, group, cell).key);
-  sort_keys<D>(keys);
-  std::vector<CellPoints<D>> result;
-  result.reserve(keys.size() / multiplicity + 1);
-  for (std::size_t i = 0; i < keys.size();) {
+  for (CellPoints<D>& cell : cells) cell = canonical_face<D + 1>(table, group, cell).key;
+  sort_keys<D>(cells);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < cells.size();) {
     std::size_t end = i;
-    while (end < keys.size() && keys[end] == keys[i]) ++end;
+    while (end < cells.size() && cells[end] == cells[i]) ++end;
     if (end - i != multiplicity) return std::nullopt;
-    result.push_back(keys[i]);
+    cells[kept++] = cells[i];
     i = end;
   }
-  return result;
+  cells.resize(kept);
+  return cells;
 }
 
 template <int D>
@@ -206,11 +211,9 @@ std::vector<CellPoints<D>> unfold(const GroupTable& table, const Subgroup& group
 template class QuotientComplex<2>;
 template class QuotientComplex<3>;
 template std::optional<std::vector<CellPoints<2>>> cells_modulo<2>(const GroupTable&, const Subgroup&,
-                                                                   const std::vector<CellPoints<2>>&,
-                                                                   std::uint32_t);
+                                                                   std::vector<CellPoints<2>>, std::uint32_t);
 template std::optional<std::vector<CellPoints<3>>> cells_modulo<3>(const GroupTable&, const Subgroup&,
-                                                                   const std::vector<CellPoints<3>>&,
-                                                                   std::uint32_t);
+                                                                   std::vector<CellPoints<3>>, std::uint32_t);
 template std::vector<CellPoints<2>> unfold<2>(const GroupTable&, const Subgroup&, const Subgroup&,
                                               const std::vector<CellPoints<2>>&);
 template std::vector<CellPoints<3>> unfold<3>(const GroupTable&, const Subgroup&, const Subgroup&,

@@ -84,12 +84,9 @@ std::vector<Element> cycle_translations(const GroupTable& table, const Subgroup&
   return found;
 }
 
-template <int D>
-bool is_simplicial(const GroupTable& table, const Subgroup& group, const Subgroup& target,
-                   const std::vector<CellPoints<D>>& cells) {
-  const std::vector<Element> translations = cycle_translations<D>(table, group, cells);
-  return std::none_of(translations.begin(), translations.end(),
-                      [&](const Element& t) { return target.split(t).rep == 0; });
+bool contains_any(const Subgroup& sublattice, const std::vector<Element>& translations) {
+  return std::any_of(translations.begin(), translations.end(),
+                     [&](const Element& t) { return sublattice.split(t).rep == 0; });
 }
 
 template std::optional<ShortCycle> find_short_cycle<2>(const GroupTable&, const std::vector<CellPoints<2>>&);
@@ -98,9 +95,5 @@ template std::vector<Element> cycle_translations<2>(const GroupTable&, const Sub
                                                     const std::vector<CellPoints<2>>&);
 template std::vector<Element> cycle_translations<3>(const GroupTable&, const Subgroup&,
                                                     const std::vector<CellPoints<3>>&);
-template bool is_simplicial<2>(const GroupTable&, const Subgroup&, const Subgroup&,
-                               const std::vector<CellPoints<2>>&);
-template bool is_simplicial<3>(const GroupTable&, const Subgroup&, const Subgroup&,
-                               const std::vector<CellPoints<3>>&);
 
 }  // namespace flatdt::ref

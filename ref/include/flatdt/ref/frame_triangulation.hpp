@@ -30,6 +30,9 @@ struct TriangulationOptions {
   std::uint64_t order_seed = 0;
   long max_sheets = 20000;
   PredicateStages stages = PredicateStages::filtered;
+  /// Where the manifold carries no triangulation: the smallest cover that carries one of these points,
+  /// instead of the smallest that carries one of any points.
+  bool smallest_cover = false;
   /// See Setting::region_limit.
   std::size_t region_limit = kRegionLimit;
 };

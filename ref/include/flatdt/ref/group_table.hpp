@@ -112,10 +112,11 @@ class GroupTable {
     std::uint16_t coset = 0;
   };
 
+  /// Apart, so that checked() is inlined.
+  [[noreturn, gnu::cold]] static void throw_too_long();
   static Element checked(int x, int y, int z, std::uint16_t coset) {
     constexpr int kLimit = 32767;
-    if (x > kLimit || x < -kLimit || y > kLimit || y < -kLimit || z > kLimit || z < -kLimit)
-      throw LimitReached("a group element moves by more than 32767 lattice vectors: the lattice is too long");
+    if (x > kLimit || x < -kLimit || y > kLimit || y < -kLimit || z > kLimit || z < -kLimit) throw_too_long();
     return Element{{static_cast<std::int16_t>(x), static_cast<std::int16_t>(y), static_cast<std::int16_t>(z)},
                    coset};
   }

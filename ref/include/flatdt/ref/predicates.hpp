@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "flatdt/ref/exact_predicates.hpp"
@@ -52,6 +53,16 @@ class Predicates {
   [[nodiscard]] bool conflict_sos(const Simplex& cell, const Lift& w) {
     const Sign sign = insphere(cell, w);
     return sign != Sign::zero ? sign == Sign::positive : perturbed_conflict(cell, w);
+  }
+
+  /// insphere() and orientation() by the filter alone, if it may speak and is certain.
+  [[nodiscard]] std::optional<Sign> quick_insphere(const std::array<std::array<double, 3>, D + 1>& cell,
+                                                   const std::array<double, 3>& w) const {
+    return use_filter_ ? filter_.insphere(cell, w) : std::nullopt;
+  }
+  [[nodiscard]] std::optional<Sign> quick_orientation(
+      const std::array<std::array<double, 3>, D + 1>& p) const {
+    return use_filter_ ? filter_.orientation(p) : std::nullopt;
   }
 
   /// Sign of insphere(cell; w): positive iff w is strictly inside. Requires: the cell is positively oriented.

@@ -99,6 +99,20 @@ class QuotientComplex {
     if (s.coset == 0) return {table_->apply(s, vertex.x), point};
     return {table_->apply(point.g, (*sites_)[index_of(vertex.point.site)].approximate), point};
   }
+  /// The coordinates of lift(p), and of the lifts of base_lift(c).
+  [[nodiscard]] std::array<double, 3> coordinates(const OrbitPoint& p) const {
+    return table_->apply(p.g, (*sites_)[index_of(p.site)].approximate);
+  }
+  [[nodiscard]] std::array<std::array<double, 3>, D + 1> base_coordinates(CellId c) const {
+    const Cell& cell = cells_[index_of(c)];
+    std::array<std::array<double, 3>, D + 1> x;
+    for (std::size_t k = 0; k <= D; ++k) {
+      const Element s = elements_[cell.offset[k]];
+      const Vertex& vertex = vertices_[index_of(cell.vertex[k])];
+      x[k] = s.coset == 0 ? table_->apply(s, vertex.x) : lift(cell.vertex[k], s).x;
+    }
+    return x;
+  }
   [[nodiscard]] Lift lift(const OrbitPoint& p) const {
     return {table_->apply(p.g, (*sites_)[index_of(p.site)].approximate), p};
   }
@@ -177,7 +191,7 @@ extern template class QuotientComplex<3>;
 /// cell does not occur exactly `multiplicity` times).
 template <int D>
 std::optional<std::vector<CellPoints<D>>> cells_modulo(const GroupTable& table, const Subgroup& group,
-                                                       const std::vector<CellPoints<D>>& cells,
+                                                       std::vector<CellPoints<D>> cells,
                                                        std::uint32_t multiplicity);
 
 /// The cells modulo `target`, a subgroup of `group`, given one lift of each cell modulo `group`: each moved
@@ -187,10 +201,10 @@ std::vector<CellPoints<D>> unfold(const GroupTable& table, const Subgroup& group
                                   const std::vector<CellPoints<D>>& cells);
 
 extern template std::optional<std::vector<CellPoints<2>>> cells_modulo<2>(const GroupTable&, const Subgroup&,
-                                                                          const std::vector<CellPoints<2>>&,
+                                                                          std::vector<CellPoints<2>>,
                                                                           std::uint32_t);
 extern template std::optional<std::vector<CellPoints<3>>> cells_modulo<3>(const GroupTable&, const Subgroup&,
-                                                                          const std::vector<CellPoints<3>>&,
+                                                                          std::vector<CellPoints<3>>,
                                                                           std::uint32_t);
 extern template std::vector<CellPoints<2>> unfold<2>(const GroupTable&, const Subgroup&, const Subgroup&,
                                                      const std::vector<CellPoints<2>>&);

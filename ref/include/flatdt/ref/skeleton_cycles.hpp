@@ -34,11 +34,8 @@ template <int D>
 std::vector<Element> cycle_translations(const GroupTable& table, const Subgroup& group,
                                         const std::vector<CellPoints<D>>& cells);
 
-/// Does E^d/S, S the sublattice `target`, carry the triangulation? Requires: `target` is a subgroup of
-/// `group`, and the cells are those modulo `group`.
-template <int D>
-bool is_simplicial(const GroupTable& table, const Subgroup& group, const Subgroup& target,
-                   const std::vector<CellPoints<D>>& cells);
+/// Is some of the translations in the sublattice?
+bool contains_any(const Subgroup& sublattice, const std::vector<Element>& translations);
 
 extern template std::optional<ShortCycle> find_short_cycle<2>(const GroupTable&,
                                                               const std::vector<CellPoints<2>>&);
@@ -48,9 +45,5 @@ extern template std::vector<Element> cycle_translations<2>(const GroupTable&, co
                                                            const std::vector<CellPoints<2>>&);
 extern template std::vector<Element> cycle_translations<3>(const GroupTable&, const Subgroup&,
                                                            const std::vector<CellPoints<3>>&);
-extern template bool is_simplicial<2>(const GroupTable&, const Subgroup&, const Subgroup&,
-                                      const std::vector<CellPoints<2>>&);
-extern template bool is_simplicial<3>(const GroupTable&, const Subgroup&, const Subgroup&,
-                                      const std::vector<CellPoints<3>>&);
 
 }  // namespace flatdt::ref
