@@ -32,9 +32,10 @@ class Run {
  public:
   Run(const std::vector<Vector>& points, const PreparedGroup& group, const TriangulationOptions& options)
       : group_(group),
-        sites_(make_sites(group.frame(), points)),
-        predicates_(group.frame(), group.table(), sites_, group.order(), options.stages),
-        circumradius_(group.frame(), predicates_),
+        sites_(make_sites(group.frame(), group.site_maps(), points)),
+        predicates_(group.frame(), group.table(), sites_, group.order(), options.stages,
+                    group.integral_metric<D>()),
+        circumradius_(group.circumradius_constants<D>(), predicates_),
         options_(options) {}
 
   FrameTriangulation<D> operator()() && {
@@ -59,8 +60,7 @@ class Run {
   void insert_batch(PeriodicDelaunay<D> level) {
     const std::vector<SiteId> order = batch_order(group_.frame(), sites_, options_.order_seed);
     level.reserve(order.size());
-    level.start(order[0], triangulate_first_orbit<D>(group_.frame(), group_.table(), sites_, group_.order(),
-                                                     predicates_, order[0]));
+    level.start(order[0], first_orbit(order[0]));
     for (std::size_t i = 1; i < order.size(); ++i) {
       level.add_site(order[i]);
       for (std::uint32_t rep = 0; rep < level.copies(); ++rep) {
@@ -69,6 +69,17 @@ class Run {
       }
     }
     finish(level.complex());
+  }
+
+  std::vector<CellPoints<D>> first_orbit(SiteId site) {
+    std::vector<CellPoints<D>> cells;
+    for (const std::array<Element, 4>& elements : group_.lattice_cells()) {
+      CellPoints<D>& cell = cells.emplace_back();
+      for (std::size_t k = 0; k <= D; ++k) cell[k] = {site, elements[k]};
+    }
+    if (!cells.empty()) return cells;
+    return triangulate_first_orbit<D>(group_.frame(), group_.table(), sites_, group_.order(), predicates_,
+                                      site);
   }
 
   void insert_in_random_order(DelaunayHierarchy<D> hierarchy) {
@@ -112,7 +123,7 @@ class Run {
                                             : group_.complete_orbit_cover();
     const Subgroup target = Subgroup::sublattice(table, *result_.cover);
     ensure(!contains_any(target, excluded), "the complete-orbit cover is simplicial for every point set");
-    result_.cells = unfold<D>(table, invariance, target, *cells);
+    result_.cells = *std::move(cells);
   }
 
   /// The translations and their opposites.

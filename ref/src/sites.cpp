@@ -101,9 +101,25 @@ std::vector<Site> make_general_sites(const Frame& frame, const std::vector<Vecto
   return sites;
 }
 
-std::vector<Site> make_sites(const Frame& frame, const std::vector<Vector>& points) {
-  if (auto sites = make_small_sites(frame, points)) return *std::move(sites);
+SiteMaps::SiteMaps(const Frame& frame)
+    : to_catalogue(Isometry{frame.to_catalogue, Vector(frame.dimension)} *
+                   Isometry{frame.basis, frame.origin}.inverse()),
+      from_catalogue{frame.to_catalogue.inverse(), Vector(frame.dimension)} {
+  for (const Isometry& g : frame.cosets) {
+    catalogue_cosets.push_back(Isometry{frame.to_catalogue, Vector(frame.dimension)} * g * from_catalogue);
+    std::uint16_t k = 0;
+    while (!(frame.cosets[k].linear * g.linear).is_identity()) ++k;
+    inverse_coset.push_back(k);
+  }
+}
+
+std::vector<Site> make_sites(const Frame& frame, const SiteMaps& maps, const std::vector<Vector>& points) {
+  if (auto sites = make_small_sites(frame, maps, points)) return *std::move(sites);
   return make_general_sites(frame, points);
+}
+
+std::vector<Site> make_sites(const Frame& frame, const std::vector<Vector>& points) {
+  return make_sites(frame, SiteMaps(frame), points);
 }
 
 Isometry Site::from_site(const Frame& frame) const {

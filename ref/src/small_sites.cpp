@@ -26,13 +26,16 @@ struct IntegerMap {
   }
 };
 
-/// denominator * value. Requires: an integer. Nothing if it is not below `limit`.
+/// denominator * value. Requires: the denominator is a multiple of the value's. Nothing if the product is not
+/// below `limit`.
 std::optional<std::int64_t> scaled(const Rational& value, std::int64_t denominator, std::int64_t limit) {
-  const Rational product = Rational(static_cast<long>(denominator)) * value;
-  ensure(product.is_integer(), "the denominator clears the number");
-  const Integer integer = product.numerator();
-  if (!integer.fits_long() || integer.to_long() >= limit || integer.to_long() <= -limit) return std::nullopt;
-  return integer.to_long();
+  const mpq_srcptr q = value.mpq().get_mpq_t();
+  if (!mpz_fits_slong_p(mpq_numref(q)) || !mpz_fits_slong_p(mpq_denref(q))) return std::nullopt;
+  ensure(denominator % mpz_get_si(mpq_denref(q)) == 0, "the denominator clears the number");
+  const Int128 product =
+      static_cast<Int128>(mpz_get_si(mpq_numref(q))) * (denominator / mpz_get_si(mpq_denref(q)));
+  if (product >= limit || product <= -limit) return std::nullopt;
+  return static_cast<std::int64_t>(product);
 }
 
 /// The map on coordinates over `to`, its linear part scaled by `by`: x over `from` becomes over to = by *
@@ -54,19 +57,25 @@ std::optional<IntegerMap> integer_map(const Isometry& map, std::int64_t by, std:
 }
 
 /// The least common multiple, or nothing if it is not below the limit.
-std::optional<std::int64_t> common_multiple(std::int64_t a, const Integer& b) {
-  if (!b.fits_long()) return std::nullopt;
-  const Int128 product = static_cast<Int128>(a / std::gcd(a, b.to_long())) * b.to_long();
+std::optional<std::int64_t> common_multiple(std::int64_t a, std::int64_t b) {
+  const Int128 product = static_cast<Int128>(a / std::gcd(a, b)) * b;
   if (product >= kLimit) return std::nullopt;
   return static_cast<std::int64_t>(product);
 }
 
+/// The same with a rational's denominator.
+std::optional<std::int64_t> common_multiple(std::int64_t a, const Rational& value) {
+  const mpz_srcptr b = mpq_denref(value.mpq().get_mpq_t());
+  if (!mpz_fits_slong_p(b)) return std::nullopt;
+  return common_multiple(a, std::int64_t{mpz_get_si(b)});
+}
+
+/// The same with all denominators of a map.
 std::optional<std::int64_t> common_multiple(std::int64_t a, const Isometry& map) {
   std::optional<std::int64_t> result = a;
   for (int i = 0; i < map.dimension() && result; ++i) {
-    result = common_multiple(*result, map.translation[i].denominator());
-    for (int j = 0; j < map.dimension() && result; ++j)
-      result = common_multiple(*result, map.linear(i, j).denominator());
+    result = common_multiple(*result, map.translation[i]);
+    for (int j = 0; j < map.dimension() && result; ++j) result = common_multiple(*result, map.linear(i, j));
   }
   return result;
 }
@@ -86,7 +95,8 @@ struct Canonical {
 
 class SmallSites {
  public:
-  SmallSites(const Frame& frame, const std::vector<Vector>& points) : frame_(&frame), points_(&points) {}
+  SmallSites(const Frame& frame, const SiteMaps& maps, const std::vector<Vector>& points)
+      : frame_(&frame), maps_(&maps), points_(&points) {}
 
   std::optional<std::vector<Site>> operator()() {
     if (!choose_denominators() || !find_canonical()) return std::nullopt;
@@ -105,9 +115,6 @@ class SmallSites {
   /// given_: of the points as written; denominator_: of everything else, a multiple of it and of the frame's
   /// translation denominator.
   bool choose_denominators() {
-    const Matrix to_frame = frame_->basis.inverse();
-    const Isometry map{frame_->to_catalogue * to_frame,
-                       -(frame_->to_catalogue * (to_frame * frame_->origin))};
     std::optional<std::int64_t> given = 1;
     for (const Vector& p : *points_)
       for (int i = 0; i < frame_->dimension; ++i) {
@@ -115,31 +122,26 @@ class SmallSites {
         if (!mpz_fits_slong_p(den)) return false;
         const long value = mpz_get_si(den);
         if (*given % value == 0) continue;
-        given = common_multiple(*given, Integer(value));
+        given = common_multiple(*given, std::int64_t{value});
         if (!given) return false;
       }
     given_ = *given;
-    const auto by = common_multiple(frame_->translation_denominator, map);
+    const auto by = common_multiple(frame_->translation_denominator, maps_->to_catalogue);
     if (!by) return false;
-    const auto all = common_multiple(*by, Integer(static_cast<long>(given_)));
+    const auto all = common_multiple(*by, given_);
     if (!all || static_cast<Int128>(*by) * given_ >= kLimit) return false;
     denominator_ = *by * given_;
-    const auto to_catalogue = integer_map(map, *by, denominator_);
-    const Isometry inverse{frame_->to_catalogue.inverse(), Vector(frame_->dimension)};
-    const auto from_catalogue = integer_map(inverse, 1, denominator_);
+    const auto to_catalogue = integer_map(maps_->to_catalogue, *by, denominator_);
+    const auto from_catalogue = integer_map(maps_->from_catalogue, 1, denominator_);
     if (!to_catalogue || !from_catalogue) return false;
     to_catalogue_ = *to_catalogue;
     from_catalogue_ = *from_catalogue;
-    const Isometry change{frame_->to_catalogue, Vector(frame_->dimension)};
-    for (const Isometry& g : frame_->cosets) {
-      const auto catalogue = integer_map(change * g * inverse, 1, denominator_);
-      const auto in_frame = integer_map(g, 1, denominator_);
+    for (std::size_t k = 0; k < frame_->cosets.size(); ++k) {
+      const auto catalogue = integer_map(maps_->catalogue_cosets[k], 1, denominator_);
+      const auto in_frame = integer_map(frame_->cosets[k], 1, denominator_);
       if (!catalogue || !in_frame) return false;
       catalogue_cosets_.push_back(*catalogue);
       frame_cosets_.push_back(*in_frame);
-      std::uint16_t k = 0;
-      while (!(frame_->cosets[k].linear * g.linear).is_identity()) ++k;
-      inverse_coset_.push_back(k);
     }
     return true;
   }
@@ -199,7 +201,7 @@ class SmallSites {
         if (divisor > 1) divisor = std::gcd(divisor, site.small[i]);
       }
       site.point = all_[n].point;
-      site.coset = inverse_coset_[all_[n].coset];
+      site.coset = maps_->inverse_coset[all_[n].coset];
       for (std::size_t i = 0; i < dimension(); ++i) {
         const Int128 rest = all_[n].frame[i] - frame_cosets_[site.coset].row(i, site.small);
         ensure(rest % denominator_ == 0, "a point and its site differ by an element of the group");
@@ -222,6 +224,7 @@ class SmallSites {
   }
 
   const Frame* frame_;
+  const SiteMaps* maps_;
   const std::vector<Vector>* points_;
   std::int64_t given_ = 1;
   std::int64_t denominator_ = 1;
@@ -229,14 +232,14 @@ class SmallSites {
   IntegerMap from_catalogue_;
   std::vector<IntegerMap> catalogue_cosets_;
   std::vector<IntegerMap> frame_cosets_;
-  std::vector<std::uint16_t> inverse_coset_;
   std::vector<Canonical> all_;
 };
 
 }  // namespace
 
-std::optional<std::vector<Site>> make_small_sites(const Frame& frame, const std::vector<Vector>& points) {
-  return SmallSites(frame, points)();
+std::optional<std::vector<Site>> make_small_sites(const Frame& frame, const SiteMaps& maps,
+                                                  const std::vector<Vector>& points) {
+  return SmallSites(frame, maps, points)();
 }
 
 }  // namespace flatdt::ref

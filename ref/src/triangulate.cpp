@@ -39,7 +39,13 @@ TriangulationResult in_instance(const FrameTriangulation<D>& answer, const Prepa
   result.hierarchy_levels = answer.hierarchy_levels;
   result.delta_squared = group.frame().delta_squared;
   result.empty_diameter_squared = answer.empty_diameter_squared;
-  result.triangulation = to_triangulation<D>(answer.cells, elements);
+  if (answer.cover)
+    result.triangulation =
+        to_triangulation<D>(unfold<D>(group.table(), group.order().invariance_group(),
+                                      Subgroup::sublattice(group.table(), *answer.cover), answer.cells),
+                            elements);
+  else
+    result.triangulation = to_triangulation<D>(answer.cells, elements);
   if (answer.cycle) result.reason = explain(*answer.cycle, elements);
   if (answer.variance) result.reason = explain<D>(*answer.variance, elements);
   if (answer.cover) {

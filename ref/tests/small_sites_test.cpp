@@ -19,7 +19,7 @@ TEST(SmallSites, AreTheGeneralOnes) {
       for (const char* metric : {"canonical", "random"}) {
         const Instance instance = generate(entry, entry.name, family, 9, seed++, metric);
         const Frame frame = analyse(instance).frame;
-        const auto small = make_small_sites(frame, instance.points);
+        const auto small = make_small_sites(frame, SiteMaps(frame), instance.points);
         const std::vector<Site> general = make_general_sites(frame, instance.points);
         if (!small) continue;  // counted below
         ++compared;
@@ -52,7 +52,8 @@ TEST(SmallSites, LeaveWhatDoesNotFitToRationals) {
            {"2147483648 0", false},
            {"100000000000000000000 0", false}}) {
     const Instance instance = parse_instance(head + point + "\n", "test");
-    EXPECT_EQ(make_small_sites(analyse(instance).frame, instance.points).has_value(), fits) << point;
+    const Frame frame = analyse(instance).frame;
+    EXPECT_EQ(make_small_sites(frame, SiteMaps(frame), instance.points).has_value(), fits) << point;
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <set>
 #include <vector>
 
@@ -17,10 +18,28 @@ struct Interval {
   double hi = 0;
 };
 
+/// What depends on the metric and the group alone.
+template <int D>
+struct CircumradiusConstants {
+  explicit CircumradiusConstants(const Frame& frame);
+  Rational threshold;  // delta^2 / 16
+  Interval threshold_interval;
+  std::array<std::array<Interval, D>, D> gram;
+  std::array<std::array<double, D>, D> approximate_gram{};
+  std::array<std::array<double, D>, D> approximate_adjoint{};
+  double approximate_determinant = 0;
+  double gram_sum = 0;     // of the absolute values of the entries
+  double adjoint_sum = 0;  // of the adjoint's
+  double row_sum = 1;      // the largest of a linear part
+};
+
 template <int D>
 class Circumradius {
  public:
-  Circumradius(const Frame& frame, Predicates<D>& predicates);
+  Circumradius(const Frame& frame, Predicates<D>& predicates)
+      : Circumradius(std::make_shared<const CircumradiusConstants<D>>(frame), predicates) {}
+  Circumradius(std::shared_ptr<const CircumradiusConstants<D>> constants, Predicates<D>& predicates)
+      : predicates_(&predicates), c_(std::move(constants)) {}
 
   /// Is 16 R^2 >= delta^2, R the circumradius of the cell? Such cells make up the list L of Section 4.1.
   /// Corollary 9 asks for diameter 2R < delta/2; the "threshold delta" of Section 4.1 is a slip (DESIGN).
@@ -66,17 +85,11 @@ class Circumradius {
   [[nodiscard]] Interval enclose(const std::array<Lift, D + 1>& cell, double enough) const;
 
   Predicates<D>* predicates_;
-  Rational threshold_;  // delta^2 / 16
-  Interval threshold_interval_;
-  std::array<std::array<Interval, D>, D> gram_;
-  std::array<std::array<double, D>, D> approximate_gram_{};
-  std::array<std::array<double, D>, D> approximate_adjoint_{};
-  double approximate_determinant_ = 0;
-  double gram_sum_ = 0;     // of the absolute values of the entries
-  double adjoint_sum_ = 0;  // of the adjoint's
-  double row_sum_;
+  std::shared_ptr<const CircumradiusConstants<D>> c_;
 };
 
+extern template struct CircumradiusConstants<2>;
+extern template struct CircumradiusConstants<3>;
 extern template class Circumradius<2>;
 extern template class Circumradius<3>;
 

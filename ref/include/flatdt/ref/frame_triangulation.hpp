@@ -41,8 +41,9 @@ template <int D>
 struct FrameTriangulation {
   /// The distinct points of the manifold.
   std::vector<Site> sites;
-  /// One lift of each cell modulo G or, where the manifold carries no triangulation, modulo `cover`; as
-  /// canonical lists, sorted.
+  /// One lift of each cell modulo G or, where the manifold carries no triangulation, modulo the group that
+  /// the tie order is invariant under (G; for the didicosm of index 2); unfold() makes of those the cells of
+  /// `cover`. As canonical lists, sorted.
   std::vector<CellPoints<D>> cells;
   /// The cover that is written, if the manifold carries none; then also the reason: a short cycle or, for the
   /// didicosm only, a cell that some element does not map to a cell.

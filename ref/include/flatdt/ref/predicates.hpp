@@ -29,9 +29,13 @@ class Predicates {
  public:
   Predicates(const Frame& frame, const GroupTable& table, const std::vector<Site>& sites,
              const TieOrder& order, PredicateStages stages)
+      : Predicates(frame, table, sites, order, stages, std::make_shared<const IntegralMetric<D>>(frame)) {}
+  /// With a metric that is made once for many point sets.
+  Predicates(const Frame& frame, const GroupTable& table, const std::vector<Site>& sites,
+             const TieOrder& order, PredicateStages stages, std::shared_ptr<const IntegralMetric<D>> metric)
       : filter_(frame, table.row_sum()),
         fixed_(frame, table, sites),
-        exact_(frame, table, sites),
+        exact_(std::move(metric), table, sites),
         order_(&order),
         use_filter_(stages == PredicateStages::filtered || stages == PredicateStages::filter_only),
         use_fixed_(stages == PredicateStages::filtered || stages == PredicateStages::fixed_only) {}

@@ -53,6 +53,18 @@ struct Site {
   [[nodiscard]] Isometry from_site(const Frame& frame) const;
 };
 
+/// The maps that make_sites applies to every point; they depend on the frame alone.
+struct SiteMaps {
+  explicit SiteMaps(const Frame& frame);
+  Isometry to_catalogue;    // of instance coordinates
+  Isometry from_catalogue;  // to the frame; linear
+  std::vector<Isometry> catalogue_cosets;
+  std::vector<std::uint16_t> inverse_coset;
+};
+
+/// The same as the next, with maps that are made once for many point sets.
+std::vector<Site> make_sites(const Frame& frame, const SiteMaps& maps, const std::vector<Vector>& points);
+
 /// Builds the sites of an instance's points. Points in one orbit give one site.
 /// Errors: LimitReached if a denominator has more than 8,192 bits.
 /// Complexity: O(n log n) exact comparisons.
