@@ -1,0 +1,114 @@
+"""Measurements as other processes give them: experiments of flatdt_bench, and whole processes."""
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+import threading
+import time
+
+
+class Failed(Exception):
+    """A measurement that there is not, with the reason."""
+
+
+class Bench:
+    """Runs programs of a build; remembers the experiments that several rows share."""
+
+    def __init__(self, programs, corpora, points, repetitions, budget, raw=None):
+        self.flatdt = str(programs / "ref" / "flatdt")
+        self.flatdt_check = str(programs / "checker" / "flatdt-check")
+        self.program = str(programs / "property_tests" / "bench" / "flatdt_bench")
+        self.corpora = str(corpora)
+        self.points, self.repetitions, self.budget = points, repetitions, budget
+        self.raw = raw
+        self.known = {}
+
+    def about(self):
+        return json.loads(subprocess.run([self.program, "about"], check=True, capture_output=True, text=True).stdout)
+
+    def names(self):
+        """All experiments of flatdt_bench."""
+        done = subprocess.run([self.program, "list", "--corpora", self.corpora], check=True, capture_output=True, text=True)
+        return [line.split(":")[0] for line in done.stdout.splitlines()]
+
+    def experiment(self, name, points=None, repetitions=None, extra=()):
+        """The measurements of an experiment: a list of dicts, and whether the budget cut it off."""
+        key = (name, points, repetitions, tuple(extra))
+        if key not in self.known:
+            self.known[key] = self.lines(["run", name, *extra], points, repetitions)
+        return self.known[key]
+
+    def memory(self, part, points):
+        """Peak memory of a process that does one part."""
+        lines, cut_off = self.lines(["memory", part], points, None)
+        if cut_off:
+            raise Failed(f"cut off after {self.budget} s")
+        return lines[0]
+
+    def lines(self, arguments, points, repetitions):
+        command = [self.program, *arguments, "--points", str(points or self.points), "--repetitions",
+                   str(repetitions or self.repetitions), "--corpora", self.corpora]
+        with tempfile.TemporaryFile("w+") as out, tempfile.TemporaryFile("w+") as err:
+            child = subprocess.Popen(command, stdout=out, stderr=err)
+            try:
+                code, cut_off = child.wait(timeout=self.budget), False
+            except subprocess.TimeoutExpired:
+                child.kill()
+                child.wait()
+                code, cut_off = 0, True
+            out.seek(0)
+            text = out.read()
+            err.seek(0)
+            complaint = err.read().strip()
+        # A line that the budget cut in two is no measurement.
+        lines = [json.loads(line) for line in text.splitlines() if line.endswith("}")]
+        if self.raw is not None:
+            for line in lines:
+                self.raw.write(json.dumps(line) + "\n")
+            self.raw.flush()
+        if code != 0:
+            raise Failed(f"exit {code}: " + (complaint.splitlines() or ["no message"])[-1])
+        return lines, cut_off
+
+    def whole_process(self, command):
+        """User seconds, CPU seconds, seconds by the clock, peak kB of a process from start to end."""
+        begin = time.monotonic()
+        with tempfile.TemporaryFile() as err:
+            child = subprocess.Popen([str(word) for word in command], stdout=subprocess.DEVNULL, stderr=err)
+            timer = threading.Timer(self.budget, child.kill)
+            timer.start()
+            _, status, used = os.wait4(child.pid, 0)
+            timer.cancel()
+            child.returncode = os.waitstatus_to_exitcode(status)
+            err.seek(0)
+            complaint = err.read().decode(errors="replace").strip()
+        wall = time.monotonic() - begin
+        if wall >= self.budget:
+            raise Failed(f"cut off after {self.budget} s")
+        if child.returncode != 0:
+            raise Failed(f"{pathlib.Path(command[0]).name}: exit {child.returncode}: {complaint}")
+        result = {"command": [str(word) for word in command], "user": used.ru_utime,
+                  "cpu": used.ru_utime + used.ru_stime, "wall": wall, "peak_kb": used.ru_maxrss}
+        if self.raw is not None:
+            self.raw.write(json.dumps(result) + "\n")
+            self.raw.flush()
+        return result
+
+    def point_set_file(self, folder, name, dimension, points):
+        """A point set on the torus as an instance file."""
+        path = folder / f"{name}-{dimension}d-{points}.instance"
+        with open(path, "w") as out:
+            subprocess.run([self.program, "instance", name, str(dimension), "--points", str(points)], check=True, stdout=out)
+        return path
+
+
+def per_item(lines, part):
+    """User seconds for one item, by repetition."""
+    return {line["repetition"]: line["user"] / line["items"] for line in lines if line["part"] == part}
+
+
+def ratios(lines, numerator, denominator):
+    """time(numerator) / time(denominator) for one item each, from the repetitions that have both."""
+    above, below = per_item(lines, numerator), per_item(lines, denominator)
+    return [above[k] / below[k] for k in sorted(above) if k in below]
