@@ -2,6 +2,7 @@
 #include <CGAL/Periodic_2_Delaunay_triangulation_2.h>
 #include <CGAL/Periodic_2_Delaunay_triangulation_traits_2.h>
 #include <CGAL/Periodic_2_triangulation_hierarchy_2.h>
+#include <CGAL/Triangulation_hierarchy_vertex_base_2.h>
 
 #include <stdexcept>
 
@@ -14,8 +15,8 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Traits = CGAL::Periodic_2_Delaunay_triangulation_traits_2<Kernel>;
 using Triangulation = CGAL::Periodic_2_Delaunay_triangulation_2<Traits>;
 // The hierarchy keeps links between its levels in the vertices.
-using HierarchyVertex = CGAL::Periodic_2_triangulation_hierarchy_vertex_base_2<
-    CGAL::Periodic_2_triangulation_vertex_base_2<Traits>>;
+using HierarchyVertex =
+    CGAL::Triangulation_hierarchy_vertex_base_2<CGAL::Periodic_2_triangulation_vertex_base_2<Traits>>;
 using HierarchyStructure =
     CGAL::Triangulation_data_structure_2<HierarchyVertex, CGAL::Periodic_2_triangulation_face_base_2<Traits>>;
 using Hierarchy = CGAL::Periodic_2_triangulation_hierarchy_2<

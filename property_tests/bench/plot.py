@@ -5,7 +5,7 @@ import typing
 
 WIDTH, HEIGHT = 430, 340          # of one panel, axes included
 LEFT, RIGHT, TOP, BOTTOM = 62, 14, 34, 46
-LEGEND = 150
+LEGEND = 180
 HEAD = 30
 
 # Colours of middle lightness, told apart on white and on black, and without colour by dashes and markers.
@@ -118,7 +118,7 @@ def panel_svg(panel, left, x_label):
         path = [(across(x), up(factor * value(x, math.log))) for x in shown]
         if len(path) > 1:
             out.append(line(path, 'class="guide"'))
-            out.append(f'<text class="note" x="{path[-1][0] - 8:.1f}" y="{path[-1][1] + 16:.1f}" text-anchor="end">'
+            out.append(f'<text class="note" x="{path[-1][0] - 8:.1f}" y="{path[-1][1] + 26:.1f}" text-anchor="end">'
                        f'{escaped(name)}</text>')
     for k, series in enumerate(panel.series):
         colour, dash = STYLES[k % len(STYLES)]
