@@ -21,7 +21,8 @@ ref::Instance read_instance(const std::filesystem::path& path) {
 
 std::vector<std::filesystem::path> crystal_files(const std::string& corpora) {
   std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(corpora + "/crystals"))
+  std::error_code no_folder;  // then there are no files
+  for (const auto& entry : std::filesystem::directory_iterator(corpora + "/crystals", no_folder))
     if (entry.path().extension() == ".instance") files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   return files;
