@@ -12,6 +12,10 @@ class Failed(Exception):
     """A measurement that there is not, with the reason."""
 
 
+class Crashed(Failed):
+    """A program failed: not for want of time or of a peer."""
+
+
 class Bench:
     """Runs programs of a build; remembers the experiments that several rows share."""
 
@@ -68,7 +72,7 @@ class Bench:
                 self.raw.write(json.dumps(line) + "\n")
             self.raw.flush()
         if code != 0:
-            raise Failed(f"exit {code}: " + (complaint.splitlines() or ["no message"])[-1])
+            raise Crashed(f"exit {code}: " + (complaint.splitlines() or ["no message"])[-1])
         return lines, cut_off
 
     def whole_process(self, command):
@@ -87,7 +91,7 @@ class Bench:
         if wall >= self.budget:
             raise Failed(f"cut off after {self.budget} s")
         if child.returncode != 0:
-            raise Failed(f"{pathlib.Path(command[0]).name}: exit {child.returncode}: {complaint}")
+            raise Crashed(f"{pathlib.Path(command[0]).name}: exit {child.returncode}: {complaint}")
         result = {"command": [str(word) for word in command], "user": used.ru_utime,
                   "cpu": used.ru_utime + used.ru_stime, "wall": wall, "peak_kb": used.ru_maxrss}
         if self.raw is not None:

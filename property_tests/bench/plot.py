@@ -64,11 +64,12 @@ class Scale:
 
     def ticks(self):
         if self.log:
-            whole = [10.0**k for k in range(math.ceil(self.low), math.floor(self.high) + 1)]
-            if len(whole) >= 3:
-                return whole
-            return [m * 10.0**k for k in range(math.floor(self.low), math.floor(self.high) + 1) for m in (1, 2, 5)
-                    if self.low <= math.log10(m * 10.0**k) <= self.high]
+            for leading in ((1,), (1, 2, 5), range(1, 10)):
+                ticks = [m * 10.0**k for k in range(math.floor(self.low), math.floor(self.high) + 1) for m in leading
+                         if self.low <= math.log10(m * 10.0**k) <= self.high]
+                if len(ticks) >= 3:
+                    return ticks
+            return ticks or [10.0**self.low, 10.0**self.high]
         step = 10.0**math.floor(math.log10(self.high / 4))
         step *= next(m for m in (1, 2, 5, 10) if self.high / (m * step) <= 6)
         return [k * step for k in range(math.floor(self.high / step) + 1)]
@@ -81,7 +82,7 @@ def tick_text(value):
         return f"{value / 1e6:g}M"
     if value >= 1000:
         return f"{value / 1000:g}k"
-    return f"{value:g}"
+    return f"{value:.3g}"
 
 
 def line(points, attributes):

@@ -45,10 +45,10 @@ def rate(lines, part):
     return f"{part} {value:,.0f}/s" if value >= 10 else f"{part} {value:.2g}/s"
 
 
-def against(experiment, peer, ours="flatdt", points=None, factor=1, repetitions=None):
+def against(experiment, peer, ours="flatdt"):
     """How many times as long the peer takes for an item as we do."""
     def measure(bench):
-        lines, cut_off = bench.experiment(experiment, points, repetitions)
+        lines, cut_off = bench.experiment(experiment)
         if not any(line["part"] == peer for line in lines):
             if cut_off:
                 raise Failed(f"cut off after {bench.budget} s; " + rate(lines, ours))

@@ -9,7 +9,7 @@ import statistics
 import subprocess
 import sys
 
-from measure import Bench, Failed
+from measure import Bench, Crashed, Failed
 from rows import all_rows
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -37,7 +37,8 @@ def measure(row, bench):
     try:
         measured = row.measure(bench)
     except Failed as failure:
-        return {**result, "verdict": "not measured", "note": str(failure), "runs": 0}
+        verdict = "FAILED" if isinstance(failure, Crashed) else "not measured"
+        return {**result, "verdict": verdict, "note": str(failure), "runs": 0}
     value = statistics.median(measured.values)
     note = measured.note + (f"; cut off after {bench.budget} s" if measured.cut_off else "")
     return {**result, "median": value, "min": min(measured.values), "max": max(measured.values),
@@ -99,7 +100,7 @@ def main():
     for row in rows:
         print(f"bench: {row.name} ...", file=sys.stderr, flush=True)
         result = measure(row, bench)
-        failed = failed or "exit" in result["note"].split(":")[0]
+        failed = failed or result["verdict"] == "FAILED"
         print(markdown(result), flush=True)
         lines.append(result)
         if options.json:
