@@ -53,7 +53,7 @@ class Programs(unittest.TestCase):
         self.assertEqual((measured.values, measured.cut_off), ([3], False))
 
     def test_the_budget_keeps_whole_lines(self):
-        bench = self.bench(f"echo '{self.OURS}'; echo '{self.PEER}'; printf '{self.OURS[:20]}'; exec sleep 60", budget=1)
+        bench = self.bench(f"echo '{self.OURS}'; echo '{self.PEER}'; printf '{self.OURS[:20]}'; while :; do :; done", budget=1)
         measured = against("e", "cgal")(bench)
         self.assertEqual((measured.values, measured.cut_off), ([3], True))
 
@@ -63,17 +63,24 @@ class Programs(unittest.TestCase):
 
     def test_cut_off_is_not_called_a_missing_peer(self):
         with self.assertRaisesRegex(Failed, "cut off"):
-            against("e", "cgal")(self.bench(f"echo '{self.OURS}'; exec sleep 60", budget=1))
+            against("e", "cgal")(self.bench(f"echo '{self.OURS}'; while :; do :; done", budget=1))
 
     def test_a_crash_is_no_figure(self):
         with self.assertRaisesRegex(Crashed, "exit 3: bad"):
             against("e", "cgal")(self.bench(f"echo '{self.OURS}'; echo bad >&2; exit 3"))
 
     def test_whole_processes(self):
-        bench = self.bench("", budget=2)
+        bench = self.bench("", budget=1)
         self.assertGreater(bench.whole_process([sys.executable, "-c", "sum(range(10**6))"])["user"], 0)
         with self.assertRaises(Crashed):
             bench.whole_process(["false"])
+        with self.assertRaisesRegex(Failed, "cut off"):
+            bench.whole_process([sys.executable, "-c", "while True: pass"])
+
+    def test_waiting_ends_by_the_clock(self):
+        bench = self.bench("exec sleep 60", budget=0.1)
+        with self.assertRaisesRegex(Failed, "cut off"):
+            against("e", "cgal")(bench)
         with self.assertRaisesRegex(Failed, "cut off"):
             bench.whole_process(["sleep", "60"])
 

@@ -24,7 +24,7 @@ def measured(bench, family, manifold, points):
     lines, _ = bench.experiment("single", points, extra=["--manifold", manifold, "--family", family])
     times = [line["user"] for line in lines]
     if not times:
-        raise Failed(f"cut off after {bench.budget} s")
+        raise bench.cut_off()
     return [manifold, points, statistics.median(times), min(times), max(times), len(times), lines[0]["cells"]]
 
 
@@ -86,7 +86,8 @@ def main():
     parser.add_argument("--max-curve-points", type=int, help="largest set of the moment curve, default 400")
     parser.add_argument("--family", choices=sorted(SIZES), action="append", help="only this one")
     parser.add_argument("--repetitions", type=int, default=5, help="runs of each set, default 5")
-    parser.add_argument("--budget", type=float, default=1800, help="seconds by the clock for the runs of one set")
+    parser.add_argument("--budget", type=float, default=1800, metavar="SECONDS",
+                        help="seconds of CPU time for the runs of one set, default 1800")
     parser.add_argument("--plot", action="store_true", help="measure nothing, draw the data that are there")
     parser.add_argument("-o", "--output", type=pathlib.Path, default=ROOT / "docs" / "performance", help="folder")
     parser.add_argument("--programs", type=pathlib.Path, default=ROOT / "build" / "bench", help=argparse.SUPPRESS)

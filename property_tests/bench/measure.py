@@ -2,6 +2,8 @@
 import json
 import os
 import pathlib
+import resource
+import signal
 import subprocess
 import tempfile
 import threading
@@ -17,7 +19,11 @@ class Crashed(Failed):
 
 
 class Bench:
-    """Runs programs of a build; remembers the experiments that several rows share."""
+    """Runs programs of a build; remembers the experiments that several rows share.
+
+    `budget`: seconds of CPU time for one process, so that a busy machine cuts off no more than an idle one; and ten times
+    as many by the clock, for a process that waits.
+    """
 
     def __init__(self, programs, corpora, points, repetitions, budget, raw=None):
         self.flatdt = str(programs / "ref" / "flatdt")
@@ -27,6 +33,14 @@ class Bench:
         self.points, self.repetitions, self.budget = points, repetitions, budget
         self.raw = raw
         self.known = {}
+
+    def limited(self):
+        """Runs in the child: the soft limit ends it by SIGXCPU."""
+        seconds = max(1, round(self.budget))
+        resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 5))
+
+    def cut_off(self):
+        return Failed(f"cut off after {self.budget:g} s of CPU time")
 
     def about(self):
         return json.loads(subprocess.run([self.program, "about"], check=True, capture_output=True, text=True).stdout)
@@ -47,20 +61,21 @@ class Bench:
         """Peak memory of a process that does one part."""
         lines, cut_off = self.lines(["memory", part], points, None)
         if cut_off:
-            raise Failed(f"cut off after {self.budget} s")
+            raise self.cut_off()
         return lines[0]
 
     def lines(self, arguments, points, repetitions):
         command = [self.program, *arguments, "--points", str(points or self.points), "--repetitions",
                    str(repetitions or self.repetitions), "--corpora", self.corpora]
         with tempfile.TemporaryFile("w+") as out, tempfile.TemporaryFile("w+") as err:
-            child = subprocess.Popen(command, stdout=out, stderr=err)
+            child = subprocess.Popen(command, stdout=out, stderr=err, preexec_fn=self.limited)
             try:
-                code, cut_off = child.wait(timeout=self.budget), False
+                code = child.wait(timeout=10 * self.budget)
+                cut_off = code == -signal.SIGXCPU
             except subprocess.TimeoutExpired:
                 child.kill()
                 child.wait()
-                code, cut_off = 0, True
+                cut_off = True
             out.seek(0)
             text = out.read()
             err.seek(0)
@@ -71,7 +86,7 @@ class Bench:
             for line in lines:
                 self.raw.write(json.dumps(line) + "\n")
             self.raw.flush()
-        if code != 0:
+        if not cut_off and code != 0:
             raise Crashed(f"exit {code}: " + (complaint.splitlines() or ["no message"])[-1])
         return lines, cut_off
 
@@ -79,8 +94,9 @@ class Bench:
         """User seconds, CPU seconds, seconds by the clock, peak kB of a process from start to end."""
         begin = time.monotonic()
         with tempfile.TemporaryFile() as err:
-            child = subprocess.Popen([str(word) for word in command], stdout=subprocess.DEVNULL, stderr=err)
-            timer = threading.Timer(self.budget, child.kill)
+            child = subprocess.Popen([str(word) for word in command], stdout=subprocess.DEVNULL, stderr=err,
+                                     preexec_fn=self.limited)
+            timer = threading.Timer(10 * self.budget, child.kill)
             timer.start()
             _, status, used = os.wait4(child.pid, 0)
             timer.cancel()
@@ -88,8 +104,8 @@ class Bench:
             err.seek(0)
             complaint = err.read().decode(errors="replace").strip()
         wall = time.monotonic() - begin
-        if wall >= self.budget:
-            raise Failed(f"cut off after {self.budget} s")
+        if child.returncode == -signal.SIGXCPU or wall >= 10 * self.budget:
+            raise self.cut_off()
         if child.returncode != 0:
             raise Crashed(f"{pathlib.Path(command[0]).name}: exit {child.returncode}: {complaint}")
         result = {"command": [str(word) for word in command], "user": used.ru_utime,

@@ -51,11 +51,11 @@ def against(experiment, peer, ours="flatdt"):
         lines, cut_off = bench.experiment(experiment)
         if not any(line["part"] == peer for line in lines):
             if cut_off:
-                raise Failed(f"cut off after {bench.budget} s; " + rate(lines, ours))
+                raise Failed(f"{bench.cut_off()}; " + rate(lines, ours))
             raise Failed("peer not installed; " + rate(lines, ours))
         values = ratios(lines, peer, ours)
         if not values:
-            raise Failed(f"cut off after {bench.budget} s; " + rate(lines, ours) + ", " + rate(lines, peer))
+            raise Failed(f"{bench.cut_off()}; " + rate(lines, ours) + ", " + rate(lines, peer))
         return Measured(values, rate(lines, ours) + ", " + rate(lines, peer), cut_off)
     return measure
 
@@ -65,7 +65,7 @@ def manifold(name):
         lines, cut_off = bench.experiment("manifolds")
         values = ratios(lines, name, "torocosm")
         if not values:
-            raise Failed(f"cut off after {bench.budget} s")
+            raise bench.cut_off()
         return Measured(values, rate(lines, name) + ", " + rate(lines, "torocosm"), cut_off)
     return measure
 
@@ -74,7 +74,7 @@ def growth(bench):
     lines, cut_off = bench.experiment("growth")
     values = [10 * v for v in ratios(lines, "flatdt-tenfold", "flatdt")]
     if not values:
-        raise Failed(f"cut off after {bench.budget} s; " + rate(lines, "flatdt"))
+        raise Failed(f"{bench.cut_off()}; " + rate(lines, "flatdt"))
     parts = sorted({line["part"] for line in lines})
     peers = [10 * v for v in ratios(lines, "cgal-tenfold", "cgal")]
     note = ", ".join(rate(lines, part) for part in parts)
@@ -128,7 +128,7 @@ def long_cells(bench):
     lines, cut_off = bench.experiment("long-cells")
     parts = sorted({line["part"] for line in lines})
     if not parts:
-        raise Failed(f"cut off after {bench.budget} s")
+        raise bench.cut_off()
     each = {part: 1000 * statistics.median(per_item(lines, part).values()) for part in parts}
     worst = max(each, key=each.get)
     values = [1000 * v for v in per_item(lines, worst).values()]

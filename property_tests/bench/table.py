@@ -40,7 +40,7 @@ def measure(row, bench):
         verdict = "FAILED" if isinstance(failure, Crashed) else "not measured"
         return {**result, "verdict": verdict, "note": str(failure), "runs": 0}
     value = statistics.median(measured.values)
-    note = measured.note + (f"; cut off after {bench.budget} s" if measured.cut_off else "")
+    note = measured.note + (f"; {bench.cut_off()}" if measured.cut_off else "")
     return {**result, "median": value, "min": min(measured.values), "max": max(measured.values),
             "runs": len(measured.values), "verdict": row.verdict(value), "note": note}
 
@@ -69,7 +69,7 @@ def main():
     parser.add_argument("--quick", action="store_true", help="10,000 points instead of 100,000, and no rows of a million")
     parser.add_argument("--points", type=int, help="points of the large sets (memory and growth: also ten times as many)")
     parser.add_argument("--repetitions", type=int, default=5, help="runs of each row, default 5")
-    parser.add_argument("--budget", type=float, default=1800, help="seconds by the clock after which a row is cut off")
+    parser.add_argument("--budget", type=float, default=1800, metavar="SECONDS", help="seconds of CPU time after which a row is cut off, default 1800")
     parser.add_argument("--list", action="store_true", help="list the rows")
     parser.add_argument("--json", type=pathlib.Path, help="write one line of JSON for each row to this file")
     parser.add_argument("--raw", type=pathlib.Path, help="write every single measurement to this file")
