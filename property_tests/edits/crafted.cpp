@@ -1,9 +1,9 @@
 #include "crafted.hpp"
 
-#include <array>
 #include <stdexcept>
 #include <string>
 
+#include "flatdt/ref/families.hpp"
 #include "flatdt/ref/group_analysis.hpp"
 #include "flatdt/ref/instance_format.hpp"
 #include "flatdt/ref/triangulate.hpp"
@@ -28,6 +28,9 @@ constexpr std::string_view kThreeAboutAnEdge =
 constexpr std::string_view kTwoOnATriangle =
     "flatdt-instance 1\ndimension 3\nmanifold torocosm\npoints 5\n"
     " 2/5 0 0\n -2/5 0 0\n 0 2/5 0\n 0 -6/25 8/25\n 0 -6/25 -8/25\n";
+/// One orbit of a 4-fold screw axis, off it.
+constexpr std::string_view kScrew =
+    "flatdt-instance 1\ndimension 3\nmanifold tetracosm\npoints 1\n 4/15 1/4 0\n";
 /// Rows of points of distance 1, alternately shifted by 1/5 and -1/5: no ties.
 constexpr std::string_view kRows =
     "flatdt-instance 1\ndimension 2\nmanifold klein-bottle\npoints 1\n 1/5 0\n";
@@ -46,13 +49,21 @@ Isometry glide(int half_turns) {
   return g;
 }
 
-Case over(std::string_view instance, const std::vector<Isometry>& subgroup, const std::string& label) {
+Case triangulated(ref::Instance instance) {
   Case made;
-  made.instance = ref::parse_instance(instance, label);
+  made.instance = std::move(instance);
   made.triangulation = ref::triangulate(made.instance, ref::analyse(made.instance), {}).triangulation;
-  std::optional<Case> small = over_subgroup(made, subgroup);
+  return made;
+}
+
+Case over(std::string_view instance, const std::vector<Isometry>& subgroup, const std::string& label) {
+  std::optional<Case> small = over_subgroup(triangulated(ref::parse_instance(instance, label)), subgroup);
   if (!small) throw std::logic_error(label + ": not simplicial");
   return std::move(*small);
+}
+
+Case generated(std::string_view manifold, std::string_view family, long points) {
+  return triangulated(ref::generate(*ref::find_entry(manifold), manifold, family, points, 1));
 }
 
 }  // namespace
@@ -67,21 +78,42 @@ std::vector<Crafted> crafted_bases() {
   };
   // The six differences of ends of edges are different modulo the lattice, and with 0 all there are: every
   // two of the seven points are joined.
-  add(over(kSquares, {translation({2, 1}), translation({1, -3})}, "squares, seven points"),
-      "squares, seven points", {"tie flipped, making a short cycle"}, {"tie flipped, making a short cycle"});
+  const std::string seven = "squares, seven points";
+  add(over(kSquares, {translation({2, 1}), translation({1, -3})}, seven), seven,
+      {"tie flipped, making a short cycle"}, {"tie flipped, making a short cycle"});
   // The same in space: fourteen differences, fifteen points.
-  add(over(kCubes, {translation({1, 1, 1}), translation({0, 3, 4}), translation({0, 0, 5})},
-           "cubes, fifteen points"),
-      "cubes, fifteen points", {"tie flipped, making a short cycle"}, {"tie flipped, making a short cycle"});
+  const std::string fifteen = "cubes, fifteen points";
+  add(over(kCubes, {translation({1, 1, 1}), translation({0, 3, 4}), translation({0, 0, 5})}, fifteen),
+      fifteen, {"tie flipped, making a short cycle"}, {"tie flipped, making a short cycle"});
+  const std::string sixteen = "squares, sixteen points";
+  add(over(kSquares, {translation({4, 0}), translation({0, 4})}, sixteen), sixteen,
+      {"tie flipped in one sheet, 2-2"}, {"tie flipped 2-2"});
   // The least index at which both are simplicial.
   const std::vector<Isometry> nine = {translation({1, 0, 2}), translation({0, 1, 4}), translation({0, 0, 9})};
-  add(over(kThreeAboutAnEdge, nine, "double pyramid of three cells"), "double pyramid of three cells",
-      {"tie flipped in one sheet, 3-2"}, {"tie flipped 3-2", "flip 3-2"});
-  add(over(kTwoOnATriangle, nine, "double pyramid of two cells"), "double pyramid of two cells",
-      {"tie flipped in one sheet, 2-3"}, {"tie flipped 2-3"});
-  add(over(kRows, {glide(3), translation({3, 0})}, "nine points of a Klein bottle"),
-      "nine points of a Klein bottle", {"unfolded to a subgroup with holonomy"},
-      {"unfolded to a subgroup with holonomy"});
+  const std::string three_cells = "double pyramid of three cells";
+  add(over(kThreeAboutAnEdge, nine, three_cells), three_cells,
+      {"tie flipped in one sheet, 3-2", "tie flipped in one sheet, 4-4"},
+      {"tie flipped 3-2", "tie flipped 4-4", "flip 3-2", "flip 4-4",
+       "cell split at a new point in no other ball"});
+  const std::string two_cells = "double pyramid of two cells";
+  add(over(kTwoOnATriangle, nine, two_cells), two_cells, {"tie flipped in one sheet, 2-3"},
+      {"tie flipped 2-3", "flip 2-3", "point moved through a facet",
+       "flat cell between two cuts of a quadrilateral"});
+  const std::string klein = "nine points of a Klein bottle";
+  add(over(kRows, {glide(3), translation({3, 0})}, klein), klein,
+      {"unfolded to a subgroup with holonomy", "metric not invariant"},
+      {"unfolded to a subgroup with holonomy", "point moved through a facet"});
+  const std::string screw = "orbit of a screw axis";
+  Random random(1, screw);
+  const std::optional<Case> small =
+      over_small_subgroup(triangulated(ref::parse_instance(kScrew, screw)), random);
+  if (!small) throw std::logic_error(screw + ": no small subgroup");
+  all.push_back({Base(*small, screw), {"group of the other hand"}});
+  all.push_back({Base(generated("torocosm", "grid", 27), "cubes, twenty-seven points"),
+                 {"checkerboard: a connected double cover claimed as the torus",
+                  "torus glued into a manifold that it covers"}});
+  all.push_back({Base(generated("torus", "uniform", 20), "twenty random points"),
+                 {"cell split at a new point in no other ball", "point moved through a facet"}});
   return all;
 }
 

@@ -11,10 +11,10 @@ namespace flatdt::edits {
 
 struct Crafted {
   Base base;
-  std::vector<std::string_view> made_for;  ///< names of kinds that apply to it
+  std::vector<std::string_view> made_for;  ///< names of kinds that apply to it; --quick tries these only
 };
 
-/// All of them, each of 14 to 369 cells.
+/// All of them, of at most 400 cells each.
 /// Errors: std::logic_error if one is not simplicial any more, which a change of ref's tie-break may cause.
 [[nodiscard]] std::vector<Crafted> crafted_bases();
 
