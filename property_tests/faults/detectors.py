@@ -32,6 +32,7 @@ class Detector:
     arguments: tuple = ()
     optional: bool = False  # left out where the tree does not have it: an optional package, a part to come
     limit: int = LIMIT
+    lazy: bool = False  # built only where a fault has come past all the others
 
 
 def program(space, target):
@@ -97,8 +98,12 @@ def run_corpus(_detector, space, condition):
     return None
 
 
-def gtest(name, *arguments, optional=False, limit=LIMIT):
-    return Detector(name, [name], run_gtest, arguments, optional, limit)
+def gtest(name, *arguments, optional=False):
+    return Detector(name, [name], run_gtest, arguments, optional)
+
+
+def last_resort(name, *arguments):
+    return Detector(name, [name], run_gtest, arguments, optional=True, limit=LONG_LIMIT, lazy=True)
 
 
 DETECTORS = {
@@ -125,8 +130,8 @@ DETECTORS = {
         gtest("ref_families_test"),
         gtest("ref_space_groups_test", optional=True),
         # What no test with an answer of its own has seen: another program's answers, then random specimens.
-        gtest("flatdt_oracle_tests", "--gtest_filter=RefAgainstOracle*", optional=True, limit=LONG_LIMIT),
-        gtest("flatdt_properties", "--gtest_filter=-FreshSeed.*:Generators.*", optional=True, limit=LONG_LIMIT),
+        last_resort("flatdt_oracle_tests", "--gtest_filter=RefAgainstOracle*"),
+        last_resort("flatdt_properties", "--gtest_filter=-FreshSeed.*:Generators.*"),
     ],
     "checker": [
         Detector("corpora/invalid", ["flatdt-check"], run_corpus),
