@@ -113,7 +113,7 @@ class Workspace:
         done = run(command, self.folder, 3600)
         if done.returncode != 0:
             errors = [line for line in (done.stdout + done.stderr).splitlines() if "error" in line.lower()]
-            raise BuildError(f"{what} failed: " + " | ".join(errors[:3] or done.stderr.splitlines()[-3:])[:600])
+            raise BuildError(f"{what} failed: " + " | ".join(errors[:3] or (done.stdout + done.stderr).splitlines()[-3:])[:600])
         return done.stdout
 
     def _copy_tree(self):
