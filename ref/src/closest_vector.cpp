@@ -1,10 +1,8 @@
 /// Closest and shortest lattice vectors through the obtuse superbase of the reduced basis.
 /// Source: [ConwaySloane92] for the Voronoi-relevant vectors; the descent is lattice_descent's.
 #include <algorithm>
-#include <utility>
 #include <vector>
 
-#include "closest_vectors.hpp"
 #include "flatdt/ref/lattice.hpp"
 #include "lattice_descent.hpp"
 
@@ -39,62 +37,29 @@ Rational shortest_squared_length(const Matrix& gram) {
   return least;
 }
 
-ClosestVectors::ClosestVectors(const Matrix& gram)
-    : transform_(gram.dimension()), inverse_(gram.dimension()) {
+std::vector<Vector> closest_vectors(const Matrix& gram, const Vector& x) {
+  const int d = gram.dimension();
   const ReducedBasis reduced = reduce_basis(gram);
-  transform_ = reduced.transform;
-  inverse_ = reduced.transform.inverse();
-  for (const Vector& n : relevant_vectors(Matrix::identity(gram.dimension())))
-    relevant_.push_back({n, reduced.gram * n, squared_length(reduced.gram, n)});
-}
-
-Rational ClosestVectors::change(const Relevant& relevant, const Vector& x) {
-  Rational product;
-  for (int i = 0; i < x.dimension(); ++i) product += relevant.dual[i] * x[i];
-  return relevant.squared_length - (product + product);
-}
-
-/// As lattice_descent's, where the argument is.
-Vector ClosestVectors::descend(Vector x) const {
-  for (;;) {
-    const Relevant* best = nullptr;
-    Rational best_change;
-    for (const Relevant& relevant : relevant_) {
-      Rational by = change(relevant, x);
-      if (by < best_change) {
-        best_change = std::move(by);
-        best = &relevant;
-      }
-    }
-    if (best == nullptr) return x;
-    x = x - best->n;
-  }
-}
-
-std::vector<Vector> ClosestVectors::operator()(const Vector& x) const {
-  Vector start = inverse_ * x;
-  for (int i = 0; i < x.dimension(); ++i) start[i] = start[i] - Rational(floor(start[i]));
+  const std::vector<Vector> relevant = relevant_vectors(Matrix::identity(d));
+  Vector start = reduced.transform.inverse() * x;
+  for (int i = 0; i < d; ++i) start[i] = start[i] - Rational(floor(start[i]));
 
   // All of x - s, s closest. These s are the vertices of the Delaunay polytope whose dual Voronoi face has x
   // in its relative interior; its edges are Voronoi-relevant, and its edge graph is connected. Two of the s
   // are never congruent modulo 2 (their midpoint would be closer), so there are at most 2^d.
-  std::vector<Vector> differences = {descend(std::move(start))};
+  std::vector<Vector> differences = {descend(reduced.gram, relevant, start)};
   for (std::size_t i = 0; i < differences.size(); ++i) {
-    for (const Relevant& relevant : relevant_) {
-      if (!change(relevant, differences[i]).is_zero()) continue;
-      const Vector tie = differences[i] - relevant.n;
+    for (const Vector& n : relevant) {
+      if (!inner_product(reduced.gram, n - (differences[i] + differences[i]), n).is_zero()) continue;
+      const Vector tie = differences[i] - n;
       if (std::find(differences.begin(), differences.end(), tie) == differences.end())
         differences.push_back(tie);
     }
   }
   std::vector<Vector> closest;
-  for (const Vector& difference : differences) closest.push_back(x - transform_ * difference);
+  for (const Vector& difference : differences) closest.push_back(x - reduced.transform * difference);
   std::sort(closest.begin(), closest.end());
   return closest;
-}
-
-std::vector<Vector> closest_vectors(const Matrix& gram, const Vector& x) {
-  return ClosestVectors(gram)(x);
 }
 
 }  // namespace flatdt::ref

@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "closest_vectors.hpp"
 #include "cover_search.hpp"
 #include "flatdt/ref/errors.hpp"
 #include "flatdt/ref/lattice.hpp"
@@ -94,12 +93,11 @@ Integer hermite_lower_bound(const Matrix& gram, const Rational& bound) {
 std::vector<Vector> vectors_of_four_cells(const Matrix& gram) {
   const int d = gram.dimension();
   const ReducedBasis reduced = reduce_basis(gram);
-  const ClosestVectors closest(reduced.gram);
   std::vector<Vector> found;
   for (int code = 0; code < (d == 2 ? 16 : 64); ++code) {
     Vector c(d);
     for (int i = 0, rest = code; i < d; ++i, rest /= 4) c[i] = rest % 4;
-    for (const Vector& s : closest(Rational(Integer(1), Integer(4)) * c)) {
+    for (const Vector& s : closest_vectors(reduced.gram, Rational(Integer(1), Integer(4)) * c)) {
       const Vector g = c - Rational(4) * s;
       if (!g.is_zero()) found.push_back(reduced.transform * g);
     }

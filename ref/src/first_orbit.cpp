@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "closest_vectors.hpp"
 #include "flatdt/ref/finite_star.hpp"
+#include "flatdt/ref/lattice.hpp"
 #include "flatdt/ref/orbit_position.hpp"
 
 namespace flatdt::ref {
@@ -19,7 +19,6 @@ std::vector<OrbitPoint> neighbour_candidates(const Frame& frame, const GroupTabl
   const Vector q = position(table, sites, {id, Element{}});
   const Vector p = table.isometry(g) * q;
   const Element back = table.inverse(g);
-  const ClosestVectors closest(frame.gram);
   std::vector<OrbitPoint> candidates;
   for (int c = 0; c < table.cosets(); ++c) {
     const Element representative{{}, static_cast<std::uint16_t>(c)};
@@ -35,7 +34,7 @@ std::vector<OrbitPoint> neighbour_candidates(const Frame& frame, const GroupTabl
           shifted[i] += 1;
           shift[i] = 1;
         }
-      for (const Vector& s : closest(Rational(Integer(1), Integer(2)) * shifted)) {
+      for (const Vector& s : closest_vectors(frame.gram, Rational(Integer(1), Integer(2)) * shifted)) {
         const Vector translation = shift - Rational(2) * s;
         const Element h = table.element(Isometry::translate(translation) * r);
         if (h != g) candidates.push_back({id, h});
