@@ -10,7 +10,12 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "laws.hpp"
 #include "target.hpp"
+
+bool flatdt::fuzz::asks_all_laws() {
+  return true;
+}
 
 namespace {
 

@@ -1,8 +1,9 @@
 /// Moves of the triangulation: those that keep it right (other lifts, other order), and those that break it.
 #include <algorithm>
 
+#include "../specimen/known_group.hpp"
+#include "../specimen/quotient.hpp"
 #include "flatdt/ref/errors.hpp"
-#include "flatdt/ref/group_analysis.hpp"
 #include "flatdt/ref/triangulate.hpp"
 #include "moves.hpp"
 
@@ -163,12 +164,17 @@ bool break_vertex(Specimen& specimen, CodedVertex& vertex, Random& random) {
 
 }  // namespace
 
-bool recompute_cells(Specimen& specimen) {
+bool recompute_cells(Specimen& specimen, Random& random) {
   try {
     const ref::Instance instance = instance_of(specimen);
     if (!ref::is_positive_definite(instance.gram)) return false;
-    const ref::GroupAnalysis analysis = ref::analyse(instance);
-    return set_triangulation(specimen, ref::triangulate(instance, analysis, {}).triangulation);
+    const auto analysis = analysed(instance);
+    // A cover has 3^d sheets for each linear part at most, with about 2 or 7 cells for each point.
+    const std::size_t cells = instance.points.size() * static_cast<std::size_t>(analysis->holonomy_order) *
+                              (instance.dimension == 2 ? 9U * 2U : 27U * 7U);
+    const bool of_cover = cells <= kMaxCells && random.one_in(2);
+    return set_triangulation(specimen, of_cover ? ref::triangulate(instance, *analysis, {}).triangulation
+                                                : quotient(instance, *analysis).triangulation);
   } catch (const ref::InvalidInput&) {
     return false;
   } catch (const ref::LimitReached&) {
@@ -177,13 +183,13 @@ bool recompute_cells(Specimen& specimen) {
 }
 
 bool move_cells(Specimen& specimen, Random& random) {
-  if (specimen.cells.empty() || specimen.elements.empty()) return recompute_cells(specimen);
+  if (specimen.cells.empty() || specimen.elements.empty()) return recompute_cells(specimen, random);
   const std::size_t at = random.index(specimen.cells.size());
   CodedCell& cell = specimen.cells[at];
   const std::size_t corner = random.index(corners(specimen));
   switch (random.below(11)) {
     case 0:
-      return recompute_cells(specimen);
+      return recompute_cells(specimen, random);
     case 1:
       return flip(specimen, random);
     case 2:

@@ -20,8 +20,9 @@ namespace flatdt::fuzz {
 [[nodiscard]] bool move_group(Specimen& specimen, Random& random);
 /// The triangulation: flips, splits, other lifts, wrong lifts, missing and doubled cells, other subgroups.
 [[nodiscard]] bool move_cells(Specimen& specimen, Random& random);
-/// The triangulation becomes that of the instance, where it is cheap to compute.
-[[nodiscard]] bool recompute_cells(Specimen& specimen);
+/// The triangulation becomes that of the instance: of the cover that ref writes where that is small, or of
+/// the manifold itself, simplicial or not.
+[[nodiscard]] bool recompute_cells(Specimen& specimen, Random& random);
 /// The query points.
 [[nodiscard]] bool move_queries(Specimen& specimen, Random& random);
 

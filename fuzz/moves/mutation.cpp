@@ -56,7 +56,7 @@ bool move_anything(Specimen& specimen, Random& random, const Shape& shape) {
   if (!moved) return false;
   repair(specimen);
   // The triangulation of the instance as it is now: otherwise most of these would be wrong for a dull reason.
-  if (shape.triangulation && random.one_in(2)) return recompute_cells(specimen);
+  if (shape.triangulation && random.one_in(2)) return recompute_cells(specimen, random);
   return true;
 }
 
@@ -84,7 +84,7 @@ bool cross(Specimen& specimen, const Specimen& other, Random& random, const Shap
     }
   }
   repair(specimen);
-  if (shape.triangulation && random.one_in(2)) return recompute_cells(specimen);
+  if (shape.triangulation && random.one_in(2)) return recompute_cells(specimen, random);
   return true;
 }
 

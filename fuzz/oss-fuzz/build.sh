@@ -2,7 +2,9 @@
 # Builds the fuzz targets for OSS-Fuzz and ClusterFuzzLite: from $SRC/flatdt to $OUT, with the compiler, flags and engine
 # of the environment. Rehearsed by fuzz/oss-fuzz/rehearse.
 #
-# The machines that run the targets have no packages: GMP and zlib are linked statically.
+# The machines that run the targets have no packages: GMP and zlib are linked statically. libgmpxx.a is not needed: flatdt
+# uses none of its stream operators, the rest of gmpxx.h is in the header, and with libc++ the operators of a libgmpxx that
+# was built with libstdc++ could not be linked.
 library() {
     local found
     found=$("$CXX" -print-file-name="$1")
@@ -18,7 +20,7 @@ cmake -S "$SRC/flatdt" -B "$WORK/build" \
     -DFLATDT_BUILD_TESTS=OFF \
     -DFLATDT_FUZZING_ENGINE="$LIB_FUZZING_ENGINE" \
     -DFLATDT_GMP_LIBRARY="$(library libgmp.a)" \
-    -DFLATDT_GMPXX_LIBRARY="$(library libgmpxx.a)" \
+    -DFLATDT_GMPXX_LIBRARY="$(library libgmp.a)" \
     -DZLIB_LIBRARY="$(library libz.a)"
 cmake --build "$WORK/build" --parallel "$(nproc)" --target fuzz_targets
 

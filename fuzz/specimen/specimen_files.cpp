@@ -29,8 +29,15 @@ const std::optional<ref::Isometry>& change_of(const Specimen& specimen) {
   return specimen.named() == nullptr || specimen.name_only ? kNone : specimen.change;
 }
 
-ref::Isometry in_file(const ref::Isometry& g, const std::optional<ref::Isometry>& change) {
-  return change ? *change * g * change->inverse() : g;
+/// to * g * from, from the inverse of to; g where nothing is changed.
+ref::Isometry conjugate(const std::optional<ref::Isometry>& to, const ref::Isometry& g,
+                        const std::optional<ref::Isometry>& from) {
+  return to ? *to * g * *from : g;
+}
+
+std::optional<ref::Isometry> inverse_of(const std::optional<ref::Isometry>& change) {
+  if (!change) return std::nullopt;
+  return change->inverse();
 }
 
 /// The shift if g is the coset's representative after a translation by small integers.
@@ -119,13 +126,14 @@ ref::Instance instance_of(const Specimen& specimen) {
 
 ref::Triangulation triangulation_of(const Specimen& specimen) {
   const std::optional<ref::Isometry>& change = change_of(specimen);
+  const std::optional<ref::Isometry> back = inverse_of(change);
   ref::Triangulation result;
   result.dimension = specimen.dimension();
   result.has_subgroup = specimen.has_subgroup;
   for (const CodedElement& g : specimen.subgroup)
-    result.subgroup.push_back(in_file(element_of(specimen, g), change));
+    result.subgroup.push_back(conjugate(change, element_of(specimen, g), back));
   for (const CodedElement& g : specimen.elements)
-    result.elements.push_back(in_file(element_of(specimen, g), change));
+    result.elements.push_back(conjugate(change, element_of(specimen, g), back));
   for (const CodedCell& cell : specimen.cells) {
     std::array<ref::Triangulation::CellVertex, 4> vertices{};
     for (std::size_t i = 0; i <= static_cast<std::size_t>(result.dimension); ++i)
@@ -163,9 +171,8 @@ bool set_triangulation(Specimen& specimen, const ref::Triangulation& triangulati
       triangulation.subgroup.size() > kMaxGenerators || triangulation.dimension != specimen.dimension())
     return false;
   const std::optional<ref::Isometry>& change = change_of(specimen);
-  const auto code = [&](const ref::Isometry& g) {
-    return coded(change ? change->inverse() * g * *change : g, specimen);
-  };
+  const std::optional<ref::Isometry> back = inverse_of(change);
+  const auto code = [&](const ref::Isometry& g) { return coded(conjugate(back, g, change), specimen); };
   specimen.has_subgroup = triangulation.has_subgroup;
   specimen.subgroup.clear();
   specimen.elements.clear();

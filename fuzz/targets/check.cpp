@@ -3,8 +3,10 @@
 #include <algorithm>
 
 #include "../engine/expect.hpp"
+#include "../engine/laws.hpp"
 #include "../engine/target.hpp"
 #include "../specimen/structured_target.hpp"
+#include "flatdt/ref/instance_format.hpp"
 #include "judged.hpp"
 #include "naive_checker/naive_check.hpp"
 
@@ -14,8 +16,13 @@ const Shape kShape = {.triangulation = true};
 
 namespace {
 
-/// Cells up to which the naive checker is asked for the conditions; it is quadratic.
+/// The laws that are not asked of every input.
+enum Law : std::uint64_t { kText = 1, kOrder, kNaive };
+
+/// Cells up to which the naive checker is asked for the conditions, and up to which it is asked always;
+/// beyond it the seldomer, the more cells there are.
 constexpr std::size_t kMaxCellsForConditions = 60;
+constexpr std::size_t kCellsForConditions = 12;
 /// The definitions are decided by intersecting all pairs of cells that come near one another: that takes less
 /// than a second for few small cells in the plane only.
 constexpr std::size_t kMaxCellsForDefinitions = 12;
@@ -50,26 +57,38 @@ checker::Triangulation reordered(checker::Triangulation triangulation) {
   return triangulation;
 }
 
+void expect_same_in_other_order(const checker::Instance& instance,
+                                const checker::Triangulation& triangulation,
+                                const checker::Verdict& verdict) {
+  const auto again = judge(instance, reordered(triangulation));
+  expect(again.has_value() && again->outcome == verdict.outcome,
+         "the order in the file does not change the verdict");
+  for (std::size_t k = 0; k < checker::kConditionCount; ++k)
+    if (again->conditions[k].status != verdict.conditions[k].status)
+      expect(false, "the order in the file does not change a condition: " +
+                        std::string(to_string(static_cast<checker::ConditionName>(k))));
+}
+
 }  // namespace
 }  // namespace flatdt::fuzz
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace flatdt::fuzz;
-  const Specimen specimen = decode({data, size}, kShape);
-  const Texts texts = texts_of(specimen);
-  const auto instance = read_instance(texts.instance);
+  const std::span<const std::uint8_t> bytes{data, size};
+  const Specimen specimen = decode(bytes, kShape);
+  const auto instance = read_instance(flatdt::ref::write_instance(instance_of(specimen)));
   if (!instance) return 0;  // the metric is not positive definite
-  const auto triangulation = read_triangulation(texts.triangulation, *instance);
-  expect(triangulation.has_value(), "what ref writes is well formed");
-  const auto verdict = judge(*instance, *triangulation);
+  auto triangulation = for_checker(triangulation_of(specimen));
+  if (is_asked(bytes, kText, 4)) {
+    auto read = read_triangulation(texts_of(specimen).triangulation, *instance);
+    expect(read.has_value(), "what ref writes is well formed");
+    triangulation = *std::move(read);
+  }
+  const auto verdict = judge(*instance, triangulation);
   if (!verdict) return 0;
-  const auto again = judge(*instance, reordered(*triangulation));
-  expect(again.has_value() && again->outcome == verdict->outcome,
-         "the order in the file does not change the verdict");
-  compare_with_definitions(specimen, *instance, *triangulation, *verdict);
-  for (std::size_t k = 0; k < flatdt::checker::kConditionCount; ++k)
-    expect(again->conditions[k].status == verdict->conditions[k].status,
-           "the order in the file does not change a condition: " +
-               std::string(to_string(static_cast<flatdt::checker::ConditionName>(k))));
+  if (is_asked(bytes, kOrder, 4)) expect_same_in_other_order(*instance, triangulation, *verdict);
+  const std::size_t dearness = 1 + triangulation.cells.size() / kCellsForConditions;
+  if (is_asked(bytes, kNaive, dearness * dearness))
+    compare_with_definitions(specimen, *instance, triangulation, *verdict);
   return 0;
 }

@@ -2,9 +2,9 @@
 /// same data; what ref writes means what it read.
 #include <cstdlib>
 #include <map>
-#include <sstream>
 
 #include "../engine/expect.hpp"
+#include "../engine/memory_stream.hpp"
 #include "../engine/target.hpp"
 #include "flatdt/checker/errors.hpp"
 #include "flatdt/checker/input.hpp"
@@ -76,7 +76,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     ref_line = flatdt::fuzz::line_of(error.what());
   }
   try {
-    std::istringstream in(text);
+    flatdt::fuzz::MemoryStream in(text);
     by_checker = checker::parse_instance(in, "f");
   } catch (const checker::MalformedInput& error) {
     checker_line = flatdt::fuzz::line_of(error.what());

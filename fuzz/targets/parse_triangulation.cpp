@@ -1,9 +1,8 @@
 /// Texts as triangulation files: the first byte chooses dimension and number of points of the instance, the
 /// rest is the text. Both parsers accept the same texts and read the same data; what ref writes means what it
 /// read.
-#include <sstream>
-
 #include "../engine/expect.hpp"
+#include "../engine/memory_stream.hpp"
 #include "../engine/target.hpp"
 #include "flatdt/checker/errors.hpp"
 #include "flatdt/checker/input.hpp"
@@ -120,7 +119,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   instance.dimension = setting.dimension;
   instance.points.resize(setting.points);
   try {
-    std::istringstream in(text);
+    flatdt::fuzz::MemoryStream in(text);
     by_checker = checker::parse_triangulation(in, "f", instance);
   } catch (const checker::MalformedInput& error) {
     expect(flatdt::fuzz::line_of(error.what()) > 0, "the checker names a line");

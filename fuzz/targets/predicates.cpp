@@ -4,9 +4,9 @@
 
 #include "../engine/expect.hpp"
 #include "../engine/target.hpp"
+#include "../specimen/known_group.hpp"
 #include "../specimen/structured_target.hpp"
 #include "flatdt/ref/errors.hpp"
-#include "flatdt/ref/group_analysis.hpp"
 #include "flatdt/ref/predicates.hpp"
 
 namespace flatdt::fuzz {
@@ -122,11 +122,11 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const Specimen specimen = decode({data, size}, kShape);
   const flatdt::ref::Instance instance = instance_of(specimen);
   try {
-    const flatdt::ref::GroupAnalysis analysis = flatdt::ref::analyse(instance);
+    const auto analysis = analysed(instance);
     if (instance.dimension == 2) {
-      Comparison<2>(analysis.frame, instance.points)(specimen.queries);
+      Comparison<2>(analysis->frame, instance.points)(specimen.queries);
     } else {
-      Comparison<3>(analysis.frame, instance.points)(specimen.queries);
+      Comparison<3>(analysis->frame, instance.points)(specimen.queries);
     }
   } catch (const flatdt::ref::InvalidInput&) {
   } catch (const flatdt::ref::LimitReached&) {

@@ -1,0 +1,151 @@
+#include "limb_pool.hpp"
+
+#include <gmp.h>
+#include <sanitizer/asan_interface.h>
+
+#include <atomic>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <new>
+
+// Only where ASan is linked. This file itself is compiled without instrumentation: it works on poisoned
+// memory.
+extern "C" __attribute__((weak)) void __asan_get_shadow_mapping(std::size_t*, std::size_t*);
+
+namespace flatdt::fuzz {
+namespace {
+
+constexpr std::size_t kLimbBytes = sizeof(mp_limb_t);
+constexpr std::size_t kMaxLimbs = 32;
+constexpr std::size_t kChunkBytes = std::size_t{1} << 16;
+
+void* from_malloc(std::size_t size) {
+  void* const block = std::malloc(size);
+  if (block == nullptr) std::abort();  // GMP has no way to be told
+  return block;
+}
+
+/// Whether blocks of this size come from the pool: strings that GMP makes have any size.
+bool is_pooled(std::size_t size) {
+  return size % kLimbBytes == 0 && size > 0 && size <= kMaxLimbs * kLimbBytes;
+}
+
+/// ASan's record of which bytes may be used, one byte for each 8; nothing without ASan.
+class Shadow {
+ public:
+  Shadow() {
+    std::size_t scale = 0;
+    if (__asan_get_shadow_mapping != nullptr) __asan_get_shadow_mapping(&scale, &offset_);
+    known_ = scale == 3;
+  }
+  void poison(void* block, std::size_t size) const { set(block, size, kPoisonedByUser); }
+  void unpoison(void* block, std::size_t size) const { set(block, size, 0); }
+  [[nodiscard]] bool is_poisoned(void* block) const { return known_ && *of(block) != 0; }
+
+ private:
+  static constexpr unsigned char kPoisonedByUser = 0xf7;
+  static_assert(kLimbBytes == 8);
+
+  [[nodiscard]] volatile unsigned char* of(void* block) const {
+    return reinterpret_cast<volatile unsigned char*>((reinterpret_cast<std::uintptr_t>(block) >> 3) +
+                                                     offset_);
+  }
+  /// Byte by byte: std::memset is ASan's own, which does not want to write here.
+  void set(void* block, std::size_t size, unsigned char value) const {
+    if (!known_) return;
+    for (std::size_t k = 0; k < size / 8; ++k) of(block)[k] = value;
+  }
+
+  bool known_ = false;
+  std::size_t offset_ = 0;
+};
+
+/// The checker may count in several threads.
+class Guard {
+ public:
+  explicit Guard(std::atomic_flag& busy) : busy_(busy) {
+    while (busy_.test_and_set(std::memory_order_acquire)) {
+    }
+  }
+  ~Guard() { busy_.clear(std::memory_order_release); }
+  Guard(const Guard&) = delete;
+  Guard& operator=(const Guard&) = delete;
+
+ private:
+  std::atomic_flag& busy_;
+};
+
+class LimbPool {
+ public:
+  void* take(std::size_t size) {
+    const Guard guard(busy_);
+    Block*& first = free_[size / kLimbBytes];
+    if (first == nullptr) add_chunk(size, first);
+    Block* const block = first;
+    first = block->next;
+    shadow_.unpoison(block, size);
+    return block;
+  }
+
+  void give(void* memory, std::size_t size) {
+    const Guard guard(busy_);
+    if (shadow_.is_poisoned(memory)) {
+      std::fputs("fuzz: a number is freed twice\n", stderr);
+      std::abort();
+    }
+    shadow_.poison(memory, size);
+    Block*& first = free_[size / kLimbBytes];
+    first = new (memory) Block{first};
+  }
+
+ private:
+  struct Block {
+    Block* next;
+  };
+
+  void add_chunk(std::size_t size, Block*& first) {
+    const std::size_t stride = size + kLimbBytes;  // a poisoned limb between blocks
+    auto* const chunk = static_cast<char*>(from_malloc(kChunkBytes));
+    shadow_.poison(chunk, kChunkBytes);
+    for (std::size_t at = 0; at + stride <= kChunkBytes; at += stride) first = new (chunk + at) Block{first};
+  }
+
+  Block* free_[kMaxLimbs + 1] = {};
+  Shadow shadow_;
+  std::atomic_flag busy_ = ATOMIC_FLAG_INIT;
+};
+
+/// Never destroyed: constants of the libraries are freed after everything else.
+LimbPool& pool() {
+  static auto& the_pool = *new LimbPool;
+  return the_pool;
+}
+
+void* allocate(std::size_t size) {
+  return is_pooled(size) ? pool().take(size) : from_malloc(size);
+}
+
+void release(void* block, std::size_t size) {
+  if (is_pooled(size)) {
+    pool().give(block, size);
+  } else {
+    std::free(block);
+  }
+}
+
+void* reallocate(void* block, std::size_t old_size, std::size_t new_size) {
+  void* const moved = allocate(new_size);
+  std::memcpy(moved, block, old_size < new_size ? old_size : new_size);
+  release(block, old_size);
+  return moved;
+}
+
+}  // namespace
+
+void use_limb_pool() {
+  mp_set_memory_functions(allocate, reallocate, release);
+}
+
+}  // namespace flatdt::fuzz
