@@ -71,9 +71,9 @@ def draw(family, folder):
                                                   for m, data in rows.items()], log_y=False)
         title, guide = "Uniform points: user time", ("n log n", lambda n, log: n * log(n))
     else:
-        second = Panel("cells", [Series(m, [(n, c) for n, _, c in data]) for m, data in rows.items()], log_y=True,
+        second = Panel("cells of the answer, all sheets", [Series(m, [(n, c) for n, _, c in data]) for m, data in rows.items()], log_y=True,
                        guide=("n^2", lambda n, log: n * n))
-        title, guide = "Points of the moment curve: user time and number of cells", ("n^2", lambda n, log: n * n)
+        title, guide = "Points of the moment curve: user time and size of the answer", ("n^2", lambda n, log: n * n)
     panels = [Panel("seconds", times, log_y=True, guide=guide), second]
     (folder / f"{family}.svg").write_text(picture(title, "points n", panels))
 

@@ -120,7 +120,7 @@ def check_process(bench):
         size = triangulation.stat().st_size
     middle = lambda runs, key: statistics.median(run[key] for run in runs)
     return Measured(values, f"check {middle(checks, 'user'):.3g} s, {middle(checks, 'peak_kb') / 1024:.0f} MB; triangulate "
-                            f"{middle(makes, 'user'):.3g} s, {middle(makes, 'peak_kb') / 1024:.0f} MB; file {size / 1e6:.0f} MB")
+                            f"{middle(makes, 'user'):.3g} s, {middle(makes, 'peak_kb') / 1024:.0f} MB; file {size / 1e6:.3g} MB")
 
 
 def long_cells(bench):
@@ -148,8 +148,8 @@ def didicosm_million(bench):
         check = bench.whole_process([bench.flatdt_check, instance, triangulation])
         size = triangulation.stat().st_size
     return Measured([make["user"] + check["user"]],
-                    f"{points:,} points VERIFIED: triangulate {make['user']:.0f} s, {make['peak_kb'] / 1e6:.1f} GB; check "
-                    f"{check['user']:.0f} s, {check['peak_kb'] / 1e6:.1f} GB; file {size / 1e6:.0f} MB")
+                    f"{points:,} points VERIFIED: triangulate {make['user']:.3g} s, {make['peak_kb'] / 1e6:.2g} GB; check "
+                    f"{check['user']:.3g} s, {check['peak_kb'] / 1e6:.2g} GB; file {size / 1e6:.3g} MB")
 
 
 def all_rows(experiments):
