@@ -9,51 +9,42 @@
 namespace flatdt::bench {
 namespace {
 
-/// An instance with the analysis of its group.
-struct Prepared {
-  ref::Instance instance;
-  ref::GroupAnalysis analysis;
-};
-
-std::shared_ptr<const Prepared> prepared(ref::Instance instance) {
-  ref::GroupAnalysis analysis = ref::analyse(instance);
-  return std::make_shared<const Prepared>(Prepared{std::move(instance), std::move(analysis)});
-}
-
-Done done(ref::TriangulationResult made) {
-  const std::size_t cells = made.triangulation.cells.size();
-  return {std::make_shared<const ref::TriangulationResult>(std::move(made)), cells};
-}
-
 ref::TriangulationOptions options_for(ref::Insertion insertion) {
   ref::TriangulationOptions options;
   options.insertion = insertion;
   return options;
 }
 
+template <int D>
+Done done(const ref::Instance& instance, const ref::PreparedGroup& group,
+          const ref::TriangulationOptions& options) {
+  auto answer = std::make_shared<const ref::FrameTriangulation<D>>(
+      ref::triangulate_in_frame<D>(instance.points, group, options));
+  const std::size_t cells = answer->cells.size();
+  return {std::move(answer), cells};
+}
+
+Done done(const ref::Instance& instance, const ref::PreparedGroup& group,
+          const ref::TriangulationOptions& options = {}) {
+  return instance.dimension == 2 ? done<2>(instance, group, options) : done<3>(instance, group, options);
+}
+
 }  // namespace
 
 Work our_triangulation(ref::Instance instance, ref::Insertion insertion) {
-  return [input = prepared(std::move(instance)), options = options_for(insertion)] {
-    return done(ref::triangulate(input->instance, input->analysis, options));
-  };
+  const auto group = std::make_shared<const ref::PreparedGroup>(ref::analyse(instance));
+  const auto input = std::make_shared<const ref::Instance>(std::move(instance));
+  return [input, group, options = options_for(insertion)] { return done(*input, *group, options); };
 }
 
 Work our_triangulations(std::vector<ref::Instance> instances, bool analysed_each_time) {
-  ref::GroupAnalysis analysis = ref::analyse(instances.front());
-  struct Several {
-    std::vector<ref::Instance> instances;
-    ref::GroupAnalysis analysis;
-  };
-  const auto input = std::make_shared<const Several>(Several{std::move(instances), std::move(analysis)});
-  return [input, analysed_each_time] {
+  const auto group = std::make_shared<const ref::PreparedGroup>(ref::analyse(instances.front()));
+  const auto input = std::make_shared<const std::vector<ref::Instance>>(std::move(instances));
+  return [input, group, analysed_each_time] {
     Done last;
-    for (const ref::Instance& instance : input->instances) {
-      ref::TriangulationResult made = analysed_each_time
-                                          ? ref::triangulate(instance, ref::analyse(instance), {})
-                                          : ref::triangulate(instance, input->analysis, {});
-      last = done(std::move(made));
-    }
+    for (const ref::Instance& instance : *input)
+      last = analysed_each_time ? done(instance, ref::PreparedGroup(ref::analyse(instance)))
+                                : done(instance, *group);
     return last;
   };
 }

@@ -2,7 +2,7 @@
 
 #include <bit>
 
-#include "wide_integer.hpp"
+#include "flatdt/ref/wide_integer.hpp"
 
 namespace flatdt::ref {
 namespace {
@@ -55,7 +55,7 @@ Sign narrow_insphere(const Rows& rows, const Gram& gram) {
 
 /// Wide form: the determinant times (-1)^D.
 template <int D, class Rows, class Gram>
-Sign wide_insphere(const Rows& rows, const Gram& gram) {
+WideInteger<6> wide_insphere(const Rows& rows, const Gram& gram) {
   std::array<WideInteger<3>, D + 1> length;
   for (std::size_t k = 0; k <= D; ++k)
     for (std::size_t i = 0; i < D; ++i) {
@@ -68,7 +68,7 @@ Sign wide_insphere(const Rows& rows, const Gram& gram) {
     WideInteger<5> determinant = multiply(widened<2>(minor(rows[1], rows[2])), length[0]);
     determinant -= multiply(widened<2>(minor(rows[0], rows[2])), length[1]);
     determinant += multiply(widened<2>(minor(rows[0], rows[1])), length[2]);
-    return determinant.sign();
+    return extended<6>(determinant);
   } else {
     WideInteger<6> determinant;
     for (std::size_t k = 0; k < 6; ++k) {
@@ -81,7 +81,7 @@ Sign wide_insphere(const Rows& rows, const Gram& gram) {
       else
         determinant += term;
     }
-    return -determinant.sign();
+    return -determinant;
   }
 }
 
@@ -172,7 +172,16 @@ std::optional<Sign> FixedPredicates<D>::insphere(const std::array<OrbitPoint, D 
   const std::optional<int> bits = load<D + 1>(p.data(), w, rows);
   if (!bits) return std::nullopt;
   const bool is_narrow = 2 * *bits + gram_bits_ + 4 <= 63 && 5 * *bits + gram_bits_ + 9 <= 127;
-  return is_narrow ? narrow_insphere<D>(rows, gram_) : wide_insphere<D>(rows, gram_);
+  return is_narrow ? narrow_insphere<D>(rows, gram_) : wide_insphere<D>(rows, gram_).sign();
+}
+
+template <int D>
+std::optional<typename FixedPredicates<D>::Value> FixedPredicates<D>::insphere_value(
+    const std::array<OrbitPoint, D + 1>& p, const OrbitPoint& w) const {
+  if (!enabled_) return std::nullopt;
+  std::array<Row, D + 1> rows;
+  if (!load<D + 1>(p.data(), w, rows)) return std::nullopt;
+  return wide_insphere<D>(rows, gram_);
 }
 
 template <int D>

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "flatdt/ref/linear.hpp"
-#include "wide_integer.hpp"
+#include "flatdt/ref/wide_integer.hpp"
 
 namespace flatdt::ref {
 

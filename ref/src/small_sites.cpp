@@ -4,7 +4,7 @@
 #include <limits>
 #include <numeric>
 
-#include "wide_integer.hpp"
+#include "flatdt/ref/wide_integer.hpp"
 
 namespace flatdt::ref {
 namespace {

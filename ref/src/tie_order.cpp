@@ -1,6 +1,6 @@
 #include "flatdt/ref/tie_order.hpp"
 
-#include "wide_integer.hpp"
+#include "flatdt/ref/wide_integer.hpp"
 
 namespace flatdt::ref {
 namespace {

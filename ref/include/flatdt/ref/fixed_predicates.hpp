@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "flatdt/ref/exact_predicates.hpp"
+#include "flatdt/ref/wide_integer.hpp"
 
 namespace flatdt::ref {
 
@@ -34,6 +35,12 @@ class FixedPredicates {
   /// Sign of (-1)^D times the determinant of the rows (p_k - w, |p_k - w|^2), if the numbers fit.
   [[nodiscard]] std::optional<Sign> insphere(const std::array<OrbitPoint, D + 1>& p,
                                              const OrbitPoint& w) const;
+
+  /// The insphere determinant as a number, if the numbers fit: for one cell and several w it grows as the
+  /// distance of w from the cell's circumcentre falls (its sign as above, the cell positively oriented).
+  using Value = WideInteger<6>;
+  [[nodiscard]] std::optional<Value> insphere_value(const std::array<OrbitPoint, D + 1>& p,
+                                                    const OrbitPoint& w) const;
 
   using Row = std::array<std::int64_t, D>;
   /// The edges p_k - p_0 of a cell over the common denominator: two cells with the same are translates.

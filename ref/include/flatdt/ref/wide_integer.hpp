@@ -26,6 +26,19 @@ struct WideInteger {
     return Sign::zero;
   }
 
+  [[nodiscard]] WideInteger operator-() const {
+    WideInteger result;
+    result -= *this;
+    return result;
+  }
+  friend bool operator==(const WideInteger&, const WideInteger&) = default;
+  /// Requires: a - b does not overflow.
+  friend bool operator<(const WideInteger& a, const WideInteger& b) {
+    WideInteger difference = a;
+    difference -= b;
+    return difference.is_negative();
+  }
+
   WideInteger& operator+=(const WideInteger& o) {
     std::uint64_t carry = 0;
     for (std::size_t i = 0; i < N; ++i) {
@@ -54,6 +67,15 @@ template <std::size_t N>
   result.limb[0] = static_cast<std::uint64_t>(bits);
   result.limb[1] = static_cast<std::uint64_t>(bits >> 64U);
   for (std::size_t i = 2; i < N; ++i) result.limb[i] = value < 0 ? ~std::uint64_t{0} : 0;
+  return result;
+}
+
+/// The same number in more limbs.
+template <std::size_t N, std::size_t M>
+[[nodiscard]] WideInteger<N> extended(const WideInteger<M>& value) {
+  WideInteger<N> result;
+  for (std::size_t i = 0; i < N; ++i)
+    result.limb[i] = i < M ? value.limb[i] : value.is_negative() ? ~std::uint64_t{0} : 0;
   return result;
 }
 
