@@ -7,19 +7,33 @@
 namespace flatdt::checker {
 namespace {
 
-/// A face with N+1 vertices of a cell, the first vertex of its list apart.
+/// A face with N+1 vertices of a cell without the first vertex of its list: N vertices and N offsets, two to a
+/// word, so that the order of the words is that of the lists.
 template <std::size_t N>
 struct Entry {
-  std::array<std::uint32_t, N> vertex;
-  std::array<std::uint32_t, N> offset;
+  std::array<std::uint64_t, N> word;
   Occurrence where;
 
+  [[nodiscard]] std::uint32_t number(std::size_t k) const {
+    return static_cast<std::uint32_t>(k % 2 == 0 ? word[k / 2] >> 32 : word[k / 2]);
+  }
   [[nodiscard]] bool operator<(const Entry& e) const {
-    if (vertex != e.vertex) return vertex < e.vertex;
-    if (offset != e.offset) return offset < e.offset;
+    for (std::size_t k = 0; k < N; ++k) {
+      if (word[k] != e.word[k]) return word[k] < e.word[k];
+    }
     return where.cell != e.where.cell ? where.cell < e.where.cell : where.facet < e.where.facet;
   }
-  [[nodiscard]] bool same_face(const Entry& e) const { return vertex == e.vertex && offset == e.offset; }
+  [[nodiscard]] bool same_face(const Entry& e) const {
+    bool same = true;
+    for (std::size_t k = 0; k < N; ++k) same = same && word[k] == e.word[k];
+    return same;
+  }
+  [[nodiscard]] bool same_vertices(const Entry& e) const {
+    for (std::size_t k = 0; k < N; ++k) {
+      if (number(k) != e.number(k)) return false;
+    }
+    return true;
+  }
 };
 
 /// Entries sorted by the first vertex of the list: those of vertex v are entries[start[v]..start[v+1]).
@@ -29,72 +43,120 @@ struct Buckets {
   std::vector<E> entries;
 };
 
-int parity_of(const Corners& corners, std::size_t size) {
-  int parity = 1;
-  for (std::size_t i = 0; i < size; ++i) {
-    for (std::size_t j = i + 1; j < size; ++j) {
-      if (corners[i] > corners[j]) parity = -parity;
+/// The sets of `size` of the numbers below `all`, each ascending.
+template <std::size_t All, std::size_t Size>
+constexpr auto make_subsets() {
+  constexpr std::size_t kCount = Size == 2 ? All * (All - 1) / 2 : Size == All ? 1 : All;
+  std::array<Corners, kCount> subsets{};  // Corners are numbers of entries here, too
+  std::size_t count = 0;
+  for (unsigned mask = 0; mask < (1U << All); ++mask) {
+    if (static_cast<std::size_t>(std::popcount(mask)) != Size) continue;
+    std::size_t n = 0;
+    for (std::uint8_t k = 0; k < All; ++k) {
+      if ((mask >> k & 1U) != 0) subsets[count][n++] = k;
     }
+    ++count;
   }
-  return parity;
+  return subsets;
 }
 
-/// Calls visit(c, corners in canonical order) for all faces with `size` different vertices of all cells.
-template <class Visit>
-void for_each_face(const Complex& complex, std::size_t size, Visit visit) {
-  const std::size_t all = complex.corners;
+/// The corners of a cell in the order of their vertices, two bits each; kTies if two have the same vertex
+/// modulo H (no order of at least three corners has that code).
+using OrderCode = std::uint8_t;
+constexpr OrderCode kTies = 0;
+
+template <std::size_t All>
+OrderCode order_code(const Cell& cell) {
+  // A vertex and its corner in one word; a sorting network, as the order cannot be predicted.
+  std::array<std::uint64_t, 4> word{};
+  for (std::size_t i = 0; i < All; ++i) word[i] = (static_cast<std::uint64_t>(cell.vertex[i]) << 2) | i;
+  const auto exchange = [&](std::size_t i, std::size_t j) {
+    const std::uint64_t low = std::min(word[i], word[j]);
+    word[j] = std::max(word[i], word[j]);
+    word[i] = low;
+  };
+  if constexpr (All == 4) {
+    exchange(0, 1);
+    exchange(2, 3);
+    exchange(0, 2);
+    exchange(1, 3);
+    exchange(1, 2);
+  } else {
+    exchange(0, 1);
+    exchange(1, 2);
+    exchange(0, 1);
+  }
+  unsigned code = 0;
+  for (std::size_t k = 0; k < All; ++k) {
+    if (k > 0 && word[k] >> 2 == word[k - 1] >> 2) return kTies;
+    code |= static_cast<unsigned>(word[k] & 3U) << (2 * k);
+  }
+  return static_cast<OrderCode>(code);
+}
+
+/// Of the corners in the order of their vertices.
+template <std::size_t All>
+std::vector<OrderCode> order_codes(const Complex& complex) {
+  std::vector<OrderCode> codes;
+  codes.reserve(complex.cells.size());
+  for (const Cell& cell : complex.cells) codes.push_back(order_code<All>(cell));
+  return codes;
+}
+
+bool repeats_vertex(const Cell& cell, const Offsets& offset, const Corners& corners, std::size_t size) {
+  for (std::size_t i = 0; i < size; ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      if (cell.vertex[corners[k]] == cell.vertex[corners[i]] &&
+          offset[corners[k]][corners[i]] == kIdentity) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// Calls visit(c, corners in canonical order) for all faces with Size different vertices of all cells with All
+/// corners; `whole`: not of cells with a repeated vertex.
+template <std::size_t All, std::size_t Size, class Visit>
+void for_each_face(const Complex& complex, const std::vector<OrderCode>& codes, bool whole, Visit visit) {
+  static constexpr auto kSubsets = make_subsets<All, Size>();
   for (std::size_t c = 0; c < complex.cells.size(); ++c) {
-    const Cell& cell = complex.cells[c];
-    Corners order{0, 1, 2, 3};
-    for (std::size_t k = 1; k < all; ++k) {  // insertion sort
-      for (std::size_t i = k; i > 0 && cell.vertex[order[i]] < cell.vertex[order[i - 1]]; --i) {
-        std::swap(order[i], order[i - 1]);
-      }
-    }
-    bool different = true;
-    for (std::size_t k = 1; k < all; ++k) {
-      different = different && cell.vertex[order[k]] != cell.vertex[order[k - 1]];
-    }
-    for (unsigned mask = 0; mask < (1U << all); ++mask) {
-      if (static_cast<std::size_t>(std::popcount(mask)) != size) continue;
-      Corners corners{};
-      std::size_t n = 0;
-      for (std::size_t k = 0; k < all; ++k) {
-        if ((mask >> k & 1U) != 0) corners[n++] = order[k];
-      }
-      if (!different) {
-        const Offsets& offset = complex.offsets(cell);
-        bool repeated = false;
-        for (std::size_t i = 0; i < n; ++i) {
-          for (std::size_t k = 0; k < i; ++k) {
-            repeated = repeated || (cell.vertex[corners[k]] == cell.vertex[corners[i]] &&
-                                    offset[corners[k]][corners[i]] == kIdentity);
-          }
+    const unsigned code = codes[c];
+    if (code != kTies) {  // lists have different vertices: their order is the canonical one
+      for (const Corners& subset : kSubsets) {
+        Corners corners{};
+        for (std::size_t k = 0; k < Size; ++k) {
+          corners[k] = static_cast<std::uint8_t>(code >> (2 * subset[k]) & 3U);
         }
-        if (repeated) continue;
-        make_canonical(cell, offset, corners, n);
+        visit(c, corners);
       }
+      continue;
+    }
+    const Cell& cell = complex.cells[c];
+    const Offsets& offset = complex.offsets(cell);
+    if (whole && repeats_vertex(cell, offset, {0, 1, 2, 3}, All)) continue;
+    for (Corners corners : kSubsets) {
+      if (repeats_vertex(cell, offset, corners, Size)) continue;
+      make_canonical(cell, offset, corners, Size);
       visit(c, corners);
     }
   }
 }
 
-/// Makes an entry (c, corners in canonical order) of each face with `size` vertices that `accept`s.
-template <class E, class Accept, class Make>
-Buckets<E> sorted_entries(const Complex& complex, std::size_t size, Accept accept, Make make) {
+/// Makes an entry (c, corners in canonical order) of each face with Size vertices.
+template <class E, std::size_t All, std::size_t Size, class Make>
+Buckets<E> sorted_entries(const Complex& complex, const std::vector<OrderCode>& codes, bool whole, Make make) {
   Buckets<E> buckets;
   std::vector<std::size_t>& start = buckets.start;
   start.resize(complex.vertices.size() + 1);
-  for_each_face(complex, size, [&](std::size_t c, const Corners& corners) {
-    const Cell& cell = complex.cells[c];
-    if (accept(cell)) ++start[index(cell.vertex[corners[0]])];
+  for_each_face<All, Size>(complex, codes, whole, [&](std::size_t c, const Corners& corners) {
+    ++start[index(complex.cells[c].vertex[corners[0]])];
   });
   std::size_t end = 0;
   for (std::size_t& s : start) end = s += end;  // now the ends
   buckets.entries.resize(end);
-  for_each_face(complex, size, [&](std::size_t c, const Corners& corners) {
-    const Cell& cell = complex.cells[c];
-    if (accept(cell)) buckets.entries[--start[index(cell.vertex[corners[0]])]] = make(c, corners);
+  for_each_face<All, Size>(complex, codes, whole, [&](std::size_t c, const Corners& corners) {
+    buckets.entries[--start[index(complex.cells[c].vertex[corners[0]])]] = make(c, corners);
   });
   for (std::size_t v = 0; v + 1 < start.size(); ++v) {
     std::sort(buckets.entries.begin() + static_cast<std::ptrdiff_t>(start[v]),
@@ -114,15 +176,25 @@ void for_each_run(const Buckets<E>& buckets, Visit visit) {
   }
 }
 
+int parity_of(const Corners& corners, std::size_t size) {
+  unsigned inversions = 0;
+  for (std::size_t i = 0; i < size; ++i) {
+    for (std::size_t j = i + 1; j < size; ++j) inversions += corners[i] > corners[j] ? 1 : 0;
+  }
+  return inversions % 2 == 0 ? 1 : -1;
+}
+
 template <std::size_t N>
 Entry<N> make_entry(const Complex& complex, std::size_t c, const Corners& corners) {
   const Cell& cell = complex.cells[c];
-  const Offsets& offset = complex.offsets(cell);
-  Entry<N> entry{};
+  const std::array<ElementId, 4>& offset = complex.offsets(cell)[corners[0]];
+  std::array<std::uint32_t, 2 * N> numbers{};
   for (std::size_t k = 0; k < N; ++k) {
-    entry.vertex[k] = static_cast<std::uint32_t>(cell.vertex[corners[k + 1]]);
-    entry.offset[k] = static_cast<std::uint32_t>(offset[corners[0]][corners[k + 1]]);
+    numbers[k] = static_cast<std::uint32_t>(cell.vertex[corners[k + 1]]);
+    numbers[N + k] = static_cast<std::uint32_t>(offset[corners[k + 1]]);
   }
+  Entry<N> entry{};
+  for (std::size_t k = 0; k < N; ++k) entry.word[k] = pair_key(numbers[2 * k], numbers[2 * k + 1]);
   entry.where.cell = make_id<CellId>(c);
   return entry;
 }
@@ -132,8 +204,8 @@ FaceKey key_of(std::size_t first, const Entry<N>& entry) {
   FaceKey key;
   key.vertex[0] = static_cast<std::uint32_t>(first);
   for (std::size_t k = 0; k < N; ++k) {
-    key.vertex[k + 1] = entry.vertex[k];
-    key.offset[k] = entry.offset[k];
+    key.vertex[k + 1] = entry.number(k);
+    key.offset[k] = entry.number(N + k);
   }
   return key;
 }
@@ -147,7 +219,7 @@ class Census {
 
   void add(std::size_t v, const Entry<N>& entry) {
     ++faces_.count[N + 1];
-    const bool parallel = last_ != nullptr && last_vertex_ == v && last_->vertex == entry.vertex;
+    const bool parallel = last_ != nullptr && last_vertex_ == v && last_->same_vertices(entry);
     if (parallel && !faces_.parallel[N + 1]) {
       faces_.parallel[N + 1] = Faces::Parallel{key_of(v, *last_), key_of(v, entry)};
     }
@@ -161,7 +233,8 @@ class Census {
   std::size_t last_vertex_ = 0;
 };
 
-void find_edges(const Complex& complex, Faces& faces) {
+template <std::size_t All>
+void find_edges(const Complex& complex, const std::vector<OrderCode>& codes, Faces& faces) {
   struct End {
     std::uint64_t key;
     [[nodiscard]] bool operator<(const End& e) const { return key < e.key; }
@@ -171,7 +244,7 @@ void find_edges(const Complex& complex, Faces& faces) {
     const Cell& cell = complex.cells[c];
     return End{pair_key(cell.vertex[corners[1]], complex.offsets(cell)[corners[0]][corners[1]])};
   };
-  const auto ends = sorted_entries<End>(complex, 2, [](const Cell&) { return true; }, make);
+  const auto ends = sorted_entries<End, All, 2>(complex, codes, false, make);
   for_each_run(ends, [&](std::size_t v, const End* end, std::size_t) {
     const Edge edge{static_cast<std::uint32_t>(v), static_cast<std::uint32_t>(end->key >> 32),
                     static_cast<std::uint32_t>(end->key)};
@@ -185,9 +258,9 @@ void find_edges(const Complex& complex, Faces& faces) {
 }
 
 template <std::size_t N>
-void find_cells(const Complex& complex, Faces& faces) {
+void find_cells(const Complex& complex, const std::vector<OrderCode>& codes, Faces& faces) {
   const auto make = [&](std::size_t c, const Corners& corners) { return make_entry<N>(complex, c, corners); };
-  const auto cells = sorted_entries<Entry<N>>(complex, N + 1, [](const Cell&) { return true; }, make);
+  const auto cells = sorted_entries<Entry<N>, N + 1, N + 1>(complex, codes, false, make);
   Census<N> census(faces);
   for_each_run(cells, [&](std::size_t v, const Entry<N>* cell, std::size_t) {
     census.add(v, *cell);
@@ -196,8 +269,7 @@ void find_cells(const Complex& complex, Faces& faces) {
 }
 
 template <std::size_t N>
-void find_facets(const Complex& complex, Faces& faces) {
-  const auto accept = [&](const Cell& cell) { return !has_repeated_vertex(complex, cell); };
+void find_facets(const Complex& complex, const std::vector<OrderCode>& codes, Faces& faces) {
   const auto make = [&](std::size_t c, const Corners& corners) {
     Entry<N> entry = make_entry<N>(complex, c, corners);
     Corners with_apex = corners;
@@ -209,7 +281,7 @@ void find_facets(const Complex& complex, Faces& faces) {
     entry.where.parity = static_cast<std::int8_t>(parity_of(with_apex, N + 2));
     return entry;
   };
-  const auto facets = sorted_entries<Entry<N>>(complex, N + 1, accept, make);
+  const auto facets = sorted_entries<Entry<N>, N + 2, N + 1>(complex, codes, true, make);
   faces.pairs.reserve(facets.entries.size() / 2);
   Census<N> census(faces);
   for_each_run(facets, [&](std::size_t v, const Entry<N>* facet, std::size_t occurrences) {
@@ -255,12 +327,7 @@ FaceKey key_of(const Cell& cell, const Offsets& offset, const Corners& corners, 
 }
 
 bool has_repeated_vertex(const Complex& complex, const Cell& cell) {
-  for (std::size_t i = 0; i < complex.corners; ++i) {
-    for (std::size_t j = i + 1; j < complex.corners; ++j) {
-      if (cell.vertex[i] == cell.vertex[j] && complex.offsets(cell)[i][j] == kIdentity) return true;
-    }
-  }
-  return false;
+  return repeats_vertex(cell, complex.offsets(cell), {0, 1, 2, 3}, complex.corners);
 }
 
 Corners facet_corners(const Complex& complex, const Occurrence& occurrence) {
@@ -276,13 +343,16 @@ Corners facet_corners(const Complex& complex, const Occurrence& occurrence) {
 
 Faces find_faces(const Complex& complex) {
   Faces faces;
-  find_edges(complex, faces);
   if (complex.corners == 3) {
-    find_cells<2>(complex, faces);
-    find_facets<1>(complex, faces);
+    const std::vector<OrderCode> codes = order_codes<3>(complex);
+    find_edges<3>(complex, codes, faces);
+    find_cells<2>(complex, codes, faces);
+    find_facets<1>(complex, codes, faces);
   } else {
-    find_cells<3>(complex, faces);
-    find_facets<2>(complex, faces);
+    const std::vector<OrderCode> codes = order_codes<4>(complex);
+    find_edges<4>(complex, codes, faces);
+    find_cells<3>(complex, codes, faces);
+    find_facets<2>(complex, codes, faces);
   }
   return faces;
 }
