@@ -32,7 +32,8 @@ class Positions {
 /// Numbers the vertices modulo H: pairs of an orbit and a right coset.
 class Vertices {
  public:
-  Vertices(std::size_t orbits, std::vector<Vertex>& vertices) : vertices_(vertices), first_(orbits, kUnseen) {}
+  Vertices(std::size_t orbits, std::vector<Vertex>& vertices)
+      : vertices_(vertices), first_(orbits, kUnseen) {}
 
   VertexId number(OrbitId orbit, ElementId coset) {
     const auto next = static_cast<std::uint32_t>(vertices_.size());
@@ -114,8 +115,7 @@ Complex make_complex(const Triangulation& triangulation, const std::vector<Eleme
     std::array<ElementId, 4> offset{};
     for (std::size_t i = 0; i < complex.corners; ++i) {
       const std::size_t point = file_cell[i].point;
-      const CosetPosition& position =
-          positions.locate(elements[file_cell[i].element], orbits.frame[point]);
+      const CosetPosition& position = positions.locate(elements[file_cell[i].element], orbits.frame[point]);
       const OrbitId orbit = orbits.of_point[point];
       cell.vertex[i] = vertices.number(orbit, position.representative);
       offset[i] = position.transport;

@@ -23,7 +23,7 @@ using Offsets = std::array<std::array<ElementId, 4>, 4>;
 struct Cell {
   std::array<VertexId, 4> vertex;
   std::uint32_t shape;  ///< of Complex::shapes
-  ElementId anchor;     ///< h_0: moves the normalised cell (frame of its first vertex) to the cell of the file
+  ElementId anchor;  ///< h_0: moves the normalised cell (frame of its first vertex) to the cell of the file
 };
 
 /// A vertex modulo H: the right coset H*coset of an orbit; its base lift is coset * canonical point of the

@@ -48,7 +48,8 @@ class Link {
       seen = {static_cast<std::uint32_t>(vertex), offset, vertices_};
     } else if (seen.offset == offset) {
       return seen.number;
-    } else if (const std::uint32_t known = others_.insert(pair_key(v, offset), vertices_); known != vertices_) {
+    } else if (const std::uint32_t known = others_.insert(pair_key(v, offset), vertices_);
+               known != vertices_) {
       return known;
     }
     return vertices_++;
@@ -116,9 +117,9 @@ class Link {
   }
 
   /// A set of triangles is a sphere iff every edge has two triangles, all triangles are connected across
-  /// edges, and V - E + F = 2. (Pulled apart at its vertices it is a connected closed surface, of Euler number
-  /// at most 2; a vertex at which that surface touches itself lowers the number. So 2 means a sphere that
-  /// touches itself nowhere.)
+  /// edges, and V - E + F = 2. (Pulled apart at its vertices it is a connected closed surface, of Euler
+  /// number at most 2; a vertex at which that surface touches itself lowers the number. So 2 means a sphere
+  /// that touches itself nowhere.)
   const char* sphere_defect() {
     sort_sides();
     edges_.assign(vertices_, LinkEdge{});
@@ -175,7 +176,8 @@ void check_links(const Context& context) {
   }
   Link link(complex);
   for (std::size_t v = 0; v < complex.vertices.size(); ++v) {
-    const char* defect = link.defect(make_id<VertexId>(v), corners.data() + start[v], corners.data() + start[v + 1]);
+    const char* defect =
+        link.defect(make_id<VertexId>(v), corners.data() + start[v], corners.data() + start[v + 1]);
     if (defect == nullptr) continue;
     context.fails(links_spheres, {{"vertex", lift_text(context, make_id<VertexId>(v), kIdentity)},
                                   {"reason", defect},

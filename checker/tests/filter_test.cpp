@@ -41,7 +41,8 @@ struct Fixture {
     std::vector<ElementId> ids;
     for (std::size_t r = 0; r < group.order(); ++r) {
       for (int k = 0; k < (instance.dimension == 2 ? 9 : 27); ++k) {
-        ids.push_back(table.intern({static_cast<std::uint8_t>(r), {k % 3 - 1, k / 3 % 3 - 1, instance.dimension == 2 ? 0 : k / 9 - 1}}));
+        ids.push_back(table.intern({static_cast<std::uint8_t>(r),
+                                    {k % 3 - 1, k / 3 % 3 - 1, instance.dimension == 2 ? 0 : k / 9 - 1}}));
       }
     }
     return ids;
