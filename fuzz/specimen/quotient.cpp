@@ -22,7 +22,7 @@ class InstanceElements {
         to_instance_{frame.basis, frame.origin},
         to_frame_(to_instance_.inverse()),
         untranslated_(sites.size() * static_cast<std::size_t>(table.cosets())) {
-    for (const ref::Site& site : sites) point_to_site_.push_back(site.from_site.inverse() * to_frame_);
+    for (const ref::Site& site : sites) point_to_site_.push_back(site.from_site(frame).inverse() * to_frame_);
   }
 
   [[nodiscard]] Isometry conjugate(const Isometry& g) const { return to_instance_ * g * to_frame_; }
