@@ -75,8 +75,7 @@ class Comparison {
   ref::Vector position(const OrbitPoint& p) const {
     const ref::Site& site = sites_[index_of(p.site)];
     ref::Vector x(D);
-    for (int i = 0; i < D; ++i)
-      x[i] = {ref::Integer(site.numerators[static_cast<std::size_t>(i)]), ref::Integer(site.denominator)};
+    for (int i = 0; i < D; ++i) x[i] = ref::Rational(site.numerator(i), site.denominator());
     return table_.isometry(p.g) * x;
   }
 

@@ -58,6 +58,17 @@ Circumradius<D>::Circumradius(const Frame& frame, Predicates<D>& predicates)
   for (int i = 0; i < D; ++i)
     for (int j = 0; j < D; ++j)
       gram_[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = enclose_rational(frame.gram(i, j));
+  const Rational determinant = frame.gram.determinant();
+  const Matrix adjoint = determinant * frame.gram.inverse();
+  approximate_determinant_ = determinant.to_double();
+  for (int i = 0; i < D; ++i)
+    for (int j = 0; j < D; ++j) {
+      const auto r = static_cast<std::size_t>(i), c = static_cast<std::size_t>(j);
+      approximate_gram_[r][c] = frame.gram(i, j).to_double();
+      approximate_adjoint_[r][c] = adjoint(i, j).to_double();
+      gram_sum_ += std::fabs(approximate_gram_[r][c]);
+      adjoint_sum_ += std::fabs(approximate_adjoint_[r][c]);
+    }
 }
 
 template <int D>
@@ -120,22 +131,79 @@ bool Circumradius<D>::is_large(const std::array<Lift, D + 1>& cell) {
   return numerator * threshold_.denominator() >= denominator * threshold_.numerator();
 }
 
+/// Notation: filter.hpp; u = 2^-53, eta bounds the error of an entry of A and M >= 1 entries of A and eta.
+/// With Gs = sum |G_ij|, As = sum |adj(G)_ij|:
+///   q = a^T G a            |q| <= Gs M^2,       error <= e_q = Gs (2.1 eta M + 24 u M^2)
+///   cofactor of A          |c| <= 2 M^2,        error <= e_c = 4.1 eta M + 8 u M^2
+///   y = adj(A) q, 3 terms  |y| <= Y = 6 Gs M^4, error <= e_y = 3 (1.1 e_c Gs M^2 + 2.1 M^2 e_q) + 48 u Gs
+///   M^4 det A                  |det| <= 6 M^3,      error <= e_d = 3 (1.1 e_c M + 2.1 M^2 eta) + 48 u M^3
+///   y^T adj(G) y           error <= As (2.1 Y e_y + 24 u Y^2)
+/// In the plane the same with fewer terms. The second-order products are in the factors 1.1 and 2.1 as long
+/// as eta <= M / 100. Entries of G and its adjoint and det(G) are exact up to a relative 2 u; the last factor
+/// covers that and the rounding of the bounds themselves.
 template <int D>
-Rational Circumradius<D>::squared_diameter(const std::vector<std::array<Lift, D + 1>>& cells) {
-  ensure(!cells.empty(), "a triangulation has a cell");
-  std::vector<Interval> enclosures;
-  double lower = -kInfinity;
-  for (const auto& cell : cells) {
-    enclosures.push_back(enclose(cell, kInfinity));
-    lower = std::max(lower, enclosures.back().lo);
+double Circumradius<D>::upper_bound(const std::array<Lift, D + 1>& cell) const {
+  constexpr double u = 0x1p-53;
+  std::array<std::array<double, D>, D> a;
+  std::array<double, D> q;
+  double m = 0;
+  double x = 0;
+  for (std::size_t i = 0; i < D; ++i) x = std::max(x, std::fabs(cell[0].x[i]));
+  for (std::size_t k = 0; k < D; ++k) {
+    for (std::size_t i = 0; i < D; ++i) {
+      a[k][i] = cell[k + 1].x[i] - cell[0].x[i];
+      m = std::max(m, std::fabs(a[k][i]));
+    }
+    q[k] = 0;
+    for (std::size_t i = 0; i < D; ++i) {
+      double row = 0;
+      for (std::size_t j = 0; j < D; ++j) row += approximate_gram_[i][j] * a[k][j];
+      q[k] += row * a[k][i];
+    }
   }
+  const double eta = 2.25 * 0x1p-48 * (row_sum_ + 1 + x + m);
+  m += eta;
+  if (!(100 * eta <= m)) return kUnbounded;
+  std::array<double, D> y;
+  double det = 0;
+  if constexpr (D == 2) {
+    det = a[0][0] * a[1][1] - a[0][1] * a[1][0];
+    y = {a[1][1] * q[0] - a[0][1] * q[1], a[0][0] * q[1] - a[1][0] * q[0]};
+  } else {
+    std::array<std::array<double, 3>, 3> cofactor;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) {
+        const std::size_t r0 = (i + 1) % 3, r1 = (i + 2) % 3, c0 = (j + 1) % 3, c1 = (j + 2) % 3;
+        cofactor[i][j] = a[r0][c0] * a[r1][c1] - a[r0][c1] * a[r1][c0];
+      }
+    for (std::size_t i = 0; i < 3; ++i)
+      y[i] = cofactor[0][i] * q[0] + cofactor[1][i] * q[1] + cofactor[2][i] * q[2];
+    det = a[0][0] * cofactor[0][0] + a[0][1] * cofactor[0][1] + a[0][2] * cofactor[0][2];
+  }
+  double numerator = 0;
+  for (std::size_t i = 0; i < D; ++i)
+    for (std::size_t j = 0; j < D; ++j) numerator += approximate_adjoint_[i][j] * y[i] * y[j];
+  const double m2 = m * m, gm2 = gram_sum_ * m2, bound_y = 6 * gm2 * m2;
+  const double e_q = gram_sum_ * (2.1 * eta * m + 24 * u * m2);
+  const double e_c = 4.1 * eta * m + 8 * u * m2;
+  const double e_y = 3 * (1.1 * e_c * gm2 + 2.1 * m2 * e_q) + 48 * u * gm2 * m2;
+  const double e_d = 3 * (1.1 * e_c * m + 2.1 * m2 * eta) + 48 * u * m2 * m;
+  const double e_n = adjoint_sum_ * (2.1 * bound_y * e_y + 24 * u * bound_y * bound_y);
+  const double least_det = std::fabs(det) - 1.1 * e_d;
+  const double bound =
+      (numerator + 1.1 * e_n) / (4 * least_det * least_det * approximate_determinant_) * (1 + 0x1p-40);
+  // Not so for an underflow or a NaN.
+  return least_det > 0 && bound > 0x1p-900 && approximate_determinant_ > 0x1p-900 ? bound : kUnbounded;
+}
+
+template <int D>
+Rational Circumradius<D>::largest(const std::vector<Candidate>& candidates, double least) {
+  ensure(!candidates.empty(), "a triangulation has a cell");
   Integer numerator = -1;
   Integer denominator = 1;
-  for (std::size_t c = 0; c < cells.size(); ++c) {
-    if (enclosures[c].hi < lower) continue;
-    CellPoints<D> points;
-    for (std::size_t k = 0; k <= D; ++k) points[k] = cells[c][k].point;
-    const auto [n, m] = predicates_->exact().squared_circumradius(points);
+  for (const Candidate& candidate : candidates) {
+    if (candidate.upper < least) continue;
+    const auto [n, m] = predicates_->exact().squared_circumradius(candidate.points);
     if (n * denominator > numerator * m) {
       numerator = n;
       denominator = m;

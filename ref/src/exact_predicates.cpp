@@ -47,7 +47,13 @@ ExactPredicates<D>::ExactPredicates(const Frame& frame, const GroupTable& table,
 template <int D>
 void ExactPredicates<D>::load(const OrbitPoint& p, Row& coordinates, mpz_class& denominator) {
   const Site& site = (*sites_)[index_of(p.site)];
-  denominator = site.denominator;
+  if (!site.large) {
+    mpz_set_si(denominator.get_mpz_t(), site.small_denominator);
+    for (std::size_t j = 0; j < D; ++j) mpz_set_si(small_[j].get_mpz_t(), site.small[j]);
+  } else {
+    denominator = site.large->denominator;
+  }
+  const mpz_class* const numerators = site.large ? site.large->numerators.data() : small_.data();
   const GroupTable::Linear& linear = table_->linear(p.g.coset);
   const std::array<int, 3>& tau = table_->scaled_tau(p.g.coset);
   // The site's denominator is a multiple of the translation denominator: unit = denominator / translation
@@ -57,7 +63,7 @@ void ExactPredicates<D>::load(const OrbitPoint& p, Row& coordinates, mpz_class& 
   for (std::size_t i = 0; i < D; ++i) {
     mpz_class& x = coordinates[i];
     x = 0;
-    for (std::size_t j = 0; j < D; ++j) add_small_multiple(x, site.numerators[j], linear[3 * i + j]);
+    for (std::size_t j = 0; j < D; ++j) add_small_multiple(x, numerators[j], linear[3 * i + j]);
     add_small_multiple(x, t0_, tau[i] + table_->translation_denominator() * p.g.t[i]);
   }
 }

@@ -2,6 +2,9 @@
 /// ball.
 #pragma once
 
+#include <algorithm>
+#include <limits>
+#include <set>
 #include <vector>
 
 #include "flatdt/ref/quotient_complex.hpp"
@@ -24,10 +27,40 @@ class Circumradius {
   [[nodiscard]] bool is_large(const std::array<Lift, D + 1>& cell);
 
   /// Delta^2 = 4 max R^2 over the cells (exact, Gram units): the squared diameter of the largest empty ball.
-  /// Requires: at least one cell.
-  [[nodiscard]] Rational squared_diameter(const std::vector<std::array<Lift, D + 1>>& cells);
+  /// `lift(p)` is the lift of a point of GP. Requires: at least one cell.
+  template <class LiftOf>
+  [[nodiscard]] Rational squared_diameter(const std::vector<CellPoints<D>>& cells, const LiftOf& lift) {
+    std::vector<Candidate> candidates;
+    std::set<typename FixedPredicates<D>::Edges> known;
+    double least = -1;
+    for (const CellPoints<D>& points : cells) {
+      std::array<Lift, D + 1> cell;
+      for (std::size_t k = 0; k <= D; ++k) cell[k] = lift(points[k]);
+      if (upper_bound(cell) < least) continue;
+      // Congruent cells, of which lattices have many, are compared once.
+      const auto edges = predicates_->fixed().edges(points);
+      if (edges && !known.insert(*edges).second) continue;
+      const Interval r = enclose(cell, kUnbounded);
+      if (r.hi < least) continue;
+      least = std::max(least, r.lo);
+      candidates.push_back({r.hi, points});
+    }
+    return largest(candidates, least);
+  }
 
  private:
+  /// A cell that may have the largest ball.
+  struct Candidate {
+    double upper;
+    CellPoints<D> points;
+  };
+  static constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+
+  /// 4 R^2 of the largest of the candidates, those with an upper bound below `least` left out.
+  [[nodiscard]] Rational largest(const std::vector<Candidate>& candidates, double least);
+  /// An upper bound of R^2 in Gram units, quickly found; infinite when the doubles cannot tell.
+  /// Error analysis: at its definition.
+  [[nodiscard]] double upper_bound(const std::array<Lift, D + 1>& cell) const;
   /// Enclosure of R^2 in Gram units; the whole real line when the doubles cannot tell. May stop at a lower
   /// bound that is at least `enough`.
   [[nodiscard]] Interval enclose(const std::array<Lift, D + 1>& cell, double enough) const;
@@ -36,6 +69,11 @@ class Circumradius {
   Rational threshold_;  // delta^2 / 16
   Interval threshold_interval_;
   std::array<std::array<Interval, D>, D> gram_;
+  std::array<std::array<double, D>, D> approximate_gram_{};
+  std::array<std::array<double, D>, D> approximate_adjoint_{};
+  double approximate_determinant_ = 0;
+  double gram_sum_ = 0;     // of the absolute values of the entries
+  double adjoint_sum_ = 0;  // of the adjoint's
   double row_sum_;
 };
 

@@ -49,6 +49,7 @@ class ExactPredicates {
   std::array<std::array<mpz_class, D>, D> gram_adjoint_;  // of the scaled matrix
   mpz_class gram_determinant_;
 
+  Row small_;
   std::array<Row, D + 2> points_;
   std::array<mpz_class, D + 2> denominators_;
   std::array<Row, D + 1> rows_;
