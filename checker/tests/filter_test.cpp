@@ -50,7 +50,7 @@ Sign slow_insphere(const Fixture& f, const Cell& cell, VertexId v, ElementId off
   const Vec<Rational> q = f.geometry.point(v, offset);
   std::array<Vec<Rational>, 4> p;
   for (std::size_t k = 0; k <= n; ++k)
-    p[k] = subtract(f.geometry.point(cell.vertex[k], cell.offset[0][k]), q);
+    p[k] = subtract(f.geometry.point(cell.vertex[k], f.complex.offsets(cell)[0][k]), q);
   const Mat<Rational> gram =
       multiply(d, transpose(f.group.basis), multiply(d, f.instance.metric, f.group.basis));
   Rational value = 0;
