@@ -94,7 +94,7 @@ Quotient computed(const ref::Instance& instance, const ref::Frame& frame, const 
   ref::ensure(cells.has_value(), "each cell occurs once");
 
   Quotient result;
-  result.simplicial = ref::is_simplicial<D>(table, subgroup, *cells);
+  if (subgroup.is_whole()) result.simplicial = !ref::find_short_cycle<D>(table, *cells);
   result.triangulation.dimension = D;
   InstanceElements elements(frame, table, sites);
   set_subgroup(subgroup, table, elements, result.triangulation);

@@ -3,6 +3,8 @@
 /// It costs as little as the answer on the manifold, for every point set.
 #pragma once
 
+#include <optional>
+
 #include "flatdt/ref/group_analysis.hpp"
 #include "flatdt/ref/instance.hpp"
 #include "flatdt/ref/periodic_delaunay.hpp"
@@ -14,9 +16,9 @@ struct Quotient {
   /// The cells modulo H, in canonical order: H = G, or for the didicosm the subgroup of index 2 under which
   /// the symbolic perturbation is invariant (then has_subgroup is set).
   ref::Triangulation triangulation;
-  /// Whether the edges modulo H have neither loop nor 2-cycle: by Theorem 7, whether E^d/H carries the
-  /// triangulation.
-  bool simplicial = false;
+  /// For H = G: whether the edges modulo G have neither loop nor 2-cycle; by Theorem 7, whether the manifold
+  /// carries the triangulation.
+  std::optional<bool> simplicial;
 };
 
 struct QuotientOptions {
