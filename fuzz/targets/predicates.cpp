@@ -122,11 +122,11 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const Specimen specimen = decode({data, size}, kShape);
   const flatdt::ref::Instance instance = instance_of(specimen);
   try {
-    const auto analysis = analysed(instance);
+    const auto group = prepared(instance);
     if (instance.dimension == 2) {
-      Comparison<2>(analysis->frame, instance.points)(specimen.queries);
+      Comparison<2>(group->frame(), instance.points)(specimen.queries);
     } else {
-      Comparison<3>(analysis->frame, instance.points)(specimen.queries);
+      Comparison<3>(group->frame(), instance.points)(specimen.queries);
     }
   } catch (const flatdt::ref::InvalidInput&) {
   } catch (const flatdt::ref::LimitReached&) {
