@@ -101,7 +101,8 @@ void check_all(const Instance& instance, const Triangulation& triangulation, con
   const Complex complex = make_complex(triangulation, elements, orbits, *subgroup, table);
   Geometry geometry(complex, orbits, table, instance.metric, stages);
   const Faces faces = find_faces(complex);
-  Context context{instance, triangulation, *group, *subgroup, orbits, complex, table, geometry, verdict, faces};
+  Context context{instance, triangulation, *group,   *subgroup, orbits,
+                  complex,  table,         geometry, verdict,   faces};
   check_vertices(context);
   check_cells(context);
   check_facets(context);

@@ -23,7 +23,7 @@ using Offsets = std::array<std::array<ElementId, 4>, 4>;
 struct Cell {
   std::array<VertexId, 4> vertex;
   std::uint32_t shape;  ///< of Complex::shapes
-  ElementId anchor;     ///< h_0: moves the normalised cell (frame of its first vertex) to the cell of the file
+  ElementId anchor;  ///< h_0: moves the normalised cell (frame of its first vertex) to the cell of the file
 };
 
 /// A vertex modulo H: the right coset H*coset of an orbit; its base lift is coset * canonical point of the
@@ -38,8 +38,13 @@ struct Complex {
   std::vector<Vertex> vertices;
   std::vector<Cell> cells;
   std::vector<Offsets> shapes;
+  std::vector<std::uint8_t> reversing;  ///< by shape: bit j is set iff offset[0][j] reverses orientation
 
   [[nodiscard]] const Offsets& offsets(const Cell& cell) const { return shapes[cell.shape]; }
+  /// Whether moving the normalised cell into the frame of a corner reverses its orientation.
+  [[nodiscard]] bool reverses(const Cell& cell, std::size_t corner) const {
+    return (reversing[cell.shape] >> corner & 1U) != 0;
+  }
 };
 
 /// Translates the cells of the file.

@@ -38,12 +38,12 @@ struct Context {
 };
 
 // Each evaluates the conditions it names, whose premises must have been evaluated, and sets their statuses.
-void check_vertices(const Context& context);   // vertices.complete
-void check_cells(Context& context);            // cells.nondegenerate, volume.exact; fills orientation
-void check_facets(const Context& context);     // facets.paired, facets.opposite
-void check_delaunay(const Context& context);   // delaunay.empty
-void check_simplices(const Context& context);  // simplices.injective
-void check_skeleton(const Context& context);   // skeleton.no-loop, skeleton.no-2-cycle
+void check_vertices(const Context& context);      // vertices.complete
+void check_cells(Context& context);               // cells.nondegenerate, volume.exact; fills orientation
+void check_facets(const Context& context);        // facets.paired, facets.opposite
+void check_delaunay(const Context& context);      // delaunay.empty
+void check_simplices(const Context& context);     // simplices.injective
+void check_skeleton(const Context& context);      // skeleton.no-loop, skeleton.no-2-cycle
 void check_intersection(const Context& context);  // complex.intersection
 void check_links(const Context& context);         // links.spheres
 void check_topology(const Context& context);      // topology.connected, topology.euler, topology.orientable

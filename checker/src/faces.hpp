@@ -37,6 +37,10 @@ void make_canonical(const Cell& cell, const Offsets& offset, Corners& corners, s
 [[nodiscard]] FaceKey key_of(const Cell& cell, const Offsets& offset, const Corners& corners,
                              std::size_t size);
 
+/// Whether two of the first `size` of these corners are the same point.
+[[nodiscard]] bool repeats_vertex(const Cell& cell, const Offsets& offset, const Corners& corners,
+                                  std::size_t size);
+
 /// Whether two corners of the cell are the same point.
 [[nodiscard]] bool has_repeated_vertex(const Complex& complex, const Cell& cell);
 

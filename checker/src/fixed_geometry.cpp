@@ -12,6 +12,10 @@ Wide<2> cross(std::int64_t a, std::int64_t b, std::int64_t c, std::int64_t e) {
   return wide(a) * wide(b) - wide(c) * wide(e);
 }
 
+Vec<std::int64_t> difference(const Vec<std::int64_t>& a, const Vec<std::int64_t>& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
 /// Rows (i, j) in the first two columns against the rows (k, l) in the last two: all even permutations.
 constexpr std::array<std::array<std::size_t, 4>, 6> kSplits = {
     {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 2, 0, 3}, {1, 3, 2, 0}, {2, 3, 0, 1}}};
@@ -50,7 +54,7 @@ std::optional<FixedGeometry> FixedGeometry::make(const Complex& complex, const O
   return geometry;
 }
 
-bool FixedGeometry::lift(const Lift& l, Point& out) const {
+inline bool FixedGeometry::lift(const Lift& l, Point& out) const {
   out = base_[index(l.vertex)];
   if (l.offset == kIdentity) return true;
   if (index(l.offset) >= maps_.size() || !maps_[index(l.offset)]) return false;
@@ -62,8 +66,8 @@ std::optional<Wide<3>> FixedGeometry::determinant(const std::array<Lift, 4>& cel
   std::array<Point, 4> p;
   for (std::size_t k = 0; k <= dimension_; ++k) {
     if (!lift(cell[k], p[k])) return std::nullopt;
-    for (std::size_t i = 0; k > 0 && i < 3; ++i) p[k][i] -= p[0][i];
   }
+  for (std::size_t k = 1; k <= dimension_; ++k) p[k] = difference(p[k], p[0]);
   const Wide<2> xy = cross(p[1][0], p[2][1], p[1][1], p[2][0]);
   if (dimension_ == 2) return xy.widened<3>();
   const Wide<2> yz = cross(p[1][1], p[2][2], p[1][2], p[2][1]);
@@ -72,50 +76,46 @@ std::optional<Wide<3>> FixedGeometry::determinant(const std::array<Lift, 4>& cel
   return xy * wide(p[3][2]) + yz * wide(p[3][0]) + zx * wide(p[3][1]);
 }
 
-bool FixedGeometry::rows(const std::array<Lift, 5>& points, Rows& rows) const {
-  Point q;
-  if (!lift(points[dimension_ + 1], q)) return false;
-  for (std::size_t k = 0; k <= dimension_; ++k) {
-    if (!lift(points[k], rows[k])) return false;
-    for (std::size_t i = 0; i < 3; ++i) rows[k][i] -= q[i];
-  }
-  return true;
-}
-
 // Laplace expansion by the first two columns against the last two (3D), or along the last column (2D).
 // Bound: the determinant is a sum of at most 24 products of three coordinates and a norm, with at most 22
 // roundings each; 24 * 22 u is well below 2^-43.
+template <std::size_t D>
 std::optional<Sign> FixedGeometry::sign_by_doubles(const Rows& rows) const {
-  std::array<std::array<double, 4>, 4> p{};  // coordinates and norm
-  std::array<double, 3> most{};
-  for (std::size_t k = 0; k <= dimension_; ++k) {
-    for (std::size_t i = 0; i < 3; ++i) {
+  std::array<std::array<double, D>, D + 1> p;
+  std::array<double, D + 1> norm;
+  std::array<double, D> most{};
+  for (std::size_t k = 0; k <= D; ++k) {
+    for (std::size_t i = 0; i < D; ++i) {
       p[k][i] = static_cast<double>(rows[k][i]);
       most[i] = std::max(most[i], std::fabs(p[k][i]));
     }
-    for (std::size_t i = 0; i < 3; ++i) {
-      p[k][3] += (gram_double_[i][0] * p[k][0] + gram_double_[i][1] * p[k][1] + gram_double_[i][2] * p[k][2]) *
-                 p[k][i];
+    norm[k] = 0;
+    for (std::size_t i = 0; i < D; ++i) {
+      double image = 0;
+      for (std::size_t j = 0; j < D; ++j) image += gram_double_[i][j] * p[k][j];
+      norm[k] += image * p[k][i];
     }
   }
-  double bound = 0;  // of all norms
-  for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) bound += std::fabs(gram_double_[i][j]) * most[i] * most[j];
+  double bound = 0;  // of all norms, then of all products
+  for (std::size_t i = 0; i < D; ++i) {
+    double image = 0;
+    for (std::size_t j = 0; j < D; ++j) image += std::fabs(gram_double_[i][j]) * most[j];
+    bound += image * most[i];
   }
-  for (std::size_t i = 0; i < dimension_; ++i) bound *= most[i];
+  for (std::size_t i = 0; i < D; ++i) bound *= most[i];
   double det = 0;
-  if (dimension_ == 2) {
+  if constexpr (D == 2) {
     for (std::size_t k = 0; k < 3; ++k) {
       const auto& a = p[(k + 1) % 3];
       const auto& b = p[(k + 2) % 3];
-      det += (a[0] * b[1] - a[1] * b[0]) * p[k][3];
+      det += (a[0] * b[1] - a[1] * b[0]) * norm[k];
     }
   } else {
     for (const auto& [i, j, k, l] : kSplits) {
-      det += (p[i][0] * p[j][1] - p[i][1] * p[j][0]) * (p[k][2] * p[l][3] - p[k][3] * p[l][2]);
+      det += (p[i][0] * p[j][1] - p[i][1] * p[j][0]) * (p[k][2] * norm[l] - norm[k] * p[l][2]);
     }
   }
-  constexpr double kExact = 0x1p48;   // 24 * 2^48 < 2^53: all values are integers that a double holds
+  constexpr double kExact = 0x1p48;  // 24 * 2^48 < 2^53: all values are integers that a double holds
   constexpr double kError = 0x1p-43;
   const bool exact = bound < kExact;
   if (!exact && std::fabs(det) <= kError * bound) return std::nullopt;
@@ -134,46 +134,45 @@ FixedGeometry::Norm FixedGeometry::squared_norm(const Point& v) const {
 }
 
 // Bounds: with squared_norm's, the minors are below 2^125 and 2^253, and the sum below 6 * 2^378 < 2^381.
+template <std::size_t D>
 Sign FixedGeometry::sign_by_limbs(const Rows& rows) const {
-  std::array<Norm, 4> norm;
-  for (std::size_t k = 0; k <= dimension_; ++k) norm[k] = squared_norm(rows[k]);
+  std::array<Norm, D + 1> norm;
+  for (std::size_t k = 0; k <= D; ++k) norm[k] = squared_norm(rows[k]);
   const auto minor = [&](std::size_t i, std::size_t j) {
     return cross(rows[i][0], rows[j][1], rows[i][1], rows[j][0]);
   };
-  if (dimension_ == 2) {
+  if constexpr (D == 2) {
     return sign_of(minor(1, 2) * norm[0] + minor(2, 0) * norm[1] + minor(0, 1) * norm[2]);
+  } else {
+    Wide<6> det;
+    for (const auto& [i, j, k, l] : kSplits) {
+      det = det + minor(i, j) * (wide(rows[k][2]) * norm[l] - wide(rows[l][2]) * norm[k]);
+    }
+    return sign_of(det);
   }
-  Wide<6> det;
-  for (const auto& [i, j, k, l] : kSplits) {
-    det = det + minor(i, j) * (wide(rows[k][2]) * norm[l] - wide(rows[l][2]) * norm[k]);
+}
+
+template <std::size_t D>
+FixedGeometry::Answer FixedGeometry::answer(const std::array<Lift, 5>& points, Sign orientation,
+                                            FixedStage stage) const {
+  Rows rows;
+  Point q;
+  if (!lift(points[D + 1], q)) return std::nullopt;
+  for (std::size_t k = 0; k <= D; ++k) {
+    if (!lift(points[k], rows[k])) return std::nullopt;
+    rows[k] = difference(rows[k], q);
   }
-  return sign_of(det);
-}
-
-namespace {
-
-/// The sign of orientation * (-1)^d det.
-Sign inside(Sign det, Sign orientation, std::size_t dimension) {
-  return (orientation == Sign::positive) == (dimension == 2) ? det : opposite(det);
-}
-
-}  // namespace
-
-std::optional<Sign> FixedGeometry::insphere(const std::array<Lift, 5>& points, Sign orientation,
-                                            bool filter) const {
-  Rows differences;
-  if (!rows(points, differences)) return std::nullopt;
-  std::optional<Sign> sign = filter ? sign_by_doubles(differences) : std::nullopt;
-  if (!sign) sign = sign_by_limbs(differences);
-  return inside(*sign, orientation, dimension_);
-}
-
-std::optional<Sign> FixedGeometry::insphere_filter(const std::array<Lift, 5>& points, Sign orientation) const {
-  Rows differences;
-  if (!rows(points, differences)) return std::nullopt;
-  const std::optional<Sign> sign = sign_by_doubles(differences);
+  std::optional<Sign> sign;
+  if (stage != FixedStage::limbs) sign = sign_by_doubles<D>(rows);
+  if (!sign && stage != FixedStage::doubles) sign = sign_by_limbs<D>(rows);
+  // The sign of orientation * (-1)^d det.
   if (!sign) return std::nullopt;
-  return inside(*sign, orientation, dimension_);
+  return (orientation == Sign::positive) == (D == 2) ? *sign : opposite(*sign);
+}
+
+FixedGeometry::Answer FixedGeometry::insphere(const std::array<Lift, 5>& points, Sign orientation,
+                                              FixedStage stage) const {
+  return dimension_ == 2 ? answer<2>(points, orientation, stage) : answer<3>(points, orientation, stage);
 }
 
 }  // namespace flatdt::checker

@@ -23,6 +23,9 @@ struct Lift {
   ElementId offset;
 };
 
+/// What may decide: floating point, which is certain or silent; integers; or the first that can.
+enum class FixedStage { doubles, limbs, both };
+
 class FixedGeometry {
  public:
   using Point = Vec<std::int64_t>;
@@ -41,21 +44,20 @@ class FixedGeometry {
   [[nodiscard]] std::optional<Wide<3>> determinant(const std::array<Lift, 4>& cell) const;
 
   /// Whether the last point is inside (positive), on or outside the circumsphere of the first d+1, which have
-  /// this orientation; nothing if a lift does not fit. `filter`: whether the floating-point stage may decide.
-  [[nodiscard]] std::optional<Sign> insphere(const std::array<Lift, 5>& points, Sign orientation,
-                                             bool filter) const;
-  /// The floating-point stage alone: certain, or silent.
-  [[nodiscard]] std::optional<Sign> insphere_filter(const std::array<Lift, 5>& points,
-                                                    Sign orientation) const;
+  /// this orientation; nothing if a lift does not fit, or the only stage allowed is silent.
+  using Answer = std::optional<Sign>;
+  [[nodiscard]] Answer insphere(const std::array<Lift, 5>& points, Sign orientation, FixedStage stage) const;
 
  private:
   FixedGeometry() = default;
 
-  /// Differences to the last point.
-  using Rows = std::array<Point, 4>;
+  using Rows = std::array<Point, 4>;  ///< differences to the last point
   bool lift(const Lift& l, Point& out) const;
-  bool rows(const std::array<Lift, 5>& points, Rows& rows) const;
-  [[nodiscard]] std::optional<Sign> sign_by_doubles(const Rows& rows) const;
+  template <std::size_t D>
+  [[nodiscard]] Answer answer(const std::array<Lift, 5>& points, Sign orientation, FixedStage stage) const;
+  template <std::size_t D>
+  [[nodiscard]] Answer sign_by_doubles(const Rows& rows) const;
+  template <std::size_t D>
   [[nodiscard]] Sign sign_by_limbs(const Rows& rows) const;
   [[nodiscard]] Norm squared_norm(const Point& v) const;
 

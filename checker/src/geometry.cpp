@@ -237,7 +237,7 @@ Sign Geometry::insphere(const Cell& cell, std::size_t frame, Sign orientation, c
   const std::array<Lift, 5> points = lifts(cell, frame, q);
   std::optional<Sign> sign;
   if (fixed_) {
-    sign = fixed_->insphere(points, orientation, stages_.filter);
+    sign = fixed_->insphere(points, orientation, stages_.filter ? FixedStage::both : FixedStage::limbs);
   } else if (stages_.filter) {
     sign = insphere_balls(points, orientation);
   }

@@ -1,6 +1,6 @@
-// Exact lifts, determinants and the insphere test, in lattice coordinates of G, in stages: machine integers of
-// fixed width (with a floating-point stage of their own) where the numbers fit, else floating-point balls and
-// then integers of any size.
+// Exact lifts, determinants and the insphere test, in lattice coordinates of G, in stages: machine integers
+// of fixed width (with a floating-point stage of their own) where the numbers fit, else floating-point balls
+// and then integers of any size.
 //
 // In the last stage all coordinates of one evaluation are integers over one common denominator; temporaries
 // are kept between calls (measured for such determinants: 1-2 us, against 27 us with mpq). The Gram matrix is
@@ -32,11 +32,11 @@ class Geometry {
   /// A sum for `orientation`.
   [[nodiscard]] VolumeSum no_volume() const;
 
-  /// Sign of insphere(cell; q), q = offset * (base lift of v), the cell moved by H until its corner `frame` is
-  /// a base lift: positive iff q is strictly inside the circumsphere.
-  /// Formula:  orientation * (-1)^d det of the d+1 rows (p_i - q, |p_i - q|^2), p_i the moved cell.
-  /// Requires: orientation is the sign of the determinant of the moved cell, not zero.
-  /// Law:      zero iff cospherical.   Stages: all that the constructor allowed; the same answer from each.
+  /// Sign of insphere(cell; q), q = offset * (base lift of v), the cell moved by H until its corner `frame`
+  /// is a base lift: positive iff q is strictly inside the circumsphere. Formula:  orientation * (-1)^d det
+  /// of the d+1 rows (p_i - q, |p_i - q|^2), p_i the moved cell. Requires: orientation is the sign of the
+  /// determinant of the moved cell, not zero. Law:      zero iff cospherical.   Stages: all that the
+  /// constructor allowed; the same answer from each.
   [[nodiscard]] Sign insphere(const Cell& cell, std::size_t frame, Sign orientation, const Lift& q);
   /// The last stage alone.
   [[nodiscard]] Sign insphere_exact(const std::array<Lift, 5>& points, Sign orientation);

@@ -9,6 +9,7 @@
 // each search.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <utility>
@@ -54,11 +55,13 @@ class IdMap {
     return known == overflow_.end() ? kAbsent : known->second;
   }
 
-  /// Forgets all keys and makes room for `count` of them.
-  void reset(std::size_t count) {
-    std::size_t size = kLeast;
-    while (size < 2 * count + 2) size *= 2;
-    slots_.assign(size, Slot{});
+  /// How many keys are in the ordered map.
+  [[nodiscard]] std::size_t overflow() const { return overflow_.size(); }
+
+  /// Forgets all keys.
+  void clear() {
+    if (size_ == 0) return;  // then the overflow is empty, too
+    slots_.clear();
     overflow_.clear();
     size_ = 0;
   }
@@ -83,7 +86,9 @@ class IdMap {
   void grow() {
     const std::vector<Slot> old_slots = std::move(slots_);
     const std::map<std::uint64_t, std::uint32_t> old_overflow = std::move(overflow_);
-    reset(size_ + 1);
+    slots_.assign(std::max(kLeast, 2 * old_slots.size()), Slot{});
+    overflow_.clear();
+    size_ = 0;
     for (const Slot& slot : old_slots) {
       if (slot.value != kAbsent) insert(slot.key, slot.value);
     }

@@ -84,8 +84,8 @@ Rational parse_positional(std::string_view rest, const std::string& whole, int b
   return base == 16 ? scaled(mantissa, 2, exponent - 4 * places) : scaled(mantissa, 10, exponent - places);
 }
 
-/// Consumes a prefix of at most 18 digits: a value below 10^18, which a long holds. Nothing if there are none,
-/// or more.
+/// Consumes a prefix of at most 18 digits: a value below 10^18, which a long holds. Nothing if there are
+/// none, or more.
 std::optional<long> take_small(std::string_view& rest) {
   constexpr std::size_t kMostDigits = 18;
   long value = 0;

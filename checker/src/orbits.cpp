@@ -103,9 +103,8 @@ template <class Before, class Equal>
 std::vector<std::uint32_t> leaders(std::size_t n, Before before, Equal equal) {
   std::vector<std::uint32_t> order(n);
   std::iota(order.begin(), order.end(), std::uint32_t{0});
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return before(a, b) || (equal(a, b) && a < b);
-  });
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return before(a, b) || (equal(a, b) && a < b); });
   std::vector<std::uint32_t> leader(n);
   for (std::size_t k = 0; k < n; ++k) {
     leader[order[k]] = k > 0 && equal(order[k - 1], order[k]) ? leader[order[k - 1]] : order[k];

@@ -137,9 +137,9 @@ void check_facets(const Context& context) {
 // Moving the normalised cell by offset[0][base]^-1 multiplies its orientation by the determinant of the
 // linear part.
 Sign orientation_in_frame(const Context& context, CellId cell, std::size_t base) {
-  const ElementId mover = context.complex.offsets(context.complex.cells[index(cell)])[0][base];
   const Sign orientation = context.orientation[index(cell)];
-  return context.group.reversing[context.table[mover].rotation] ? opposite(orientation) : orientation;
+  return context.complex.reverses(context.complex.cells[index(cell)], base) ? opposite(orientation)
+                                                                            : orientation;
 }
 
 // In the order of the cell's corners the orientation is that of the moved cell; bringing (facet, apex) into
