@@ -1,7 +1,6 @@
 #include "limb_pool.hpp"
 
 #include <gmp.h>
-#include <sanitizer/asan_interface.h>
 
 #include <atomic>
 #include <cstdint>
