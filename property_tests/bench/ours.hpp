@@ -8,8 +8,8 @@
 
 namespace flatdt::bench {
 
-/// triangulate_in_frame(): from the instance's rationals to the sorted list of cells in memory, with the decision
-/// and the cover; the group is prepared beforehand.
+/// triangulate_in_frame(): from the instance's rationals to the sorted list of cells in memory, with the
+/// decision and the cover; the group is prepared beforehand.
 Work our_triangulation(ref::Instance instance, ref::Insertion insertion = ref::Insertion::without_covers);
 /// The same for each of several instances of one group, which is prepared once for all of them, beforehand
 /// (`analysed_each_time`: analysed and prepared with each instance, within the work).
