@@ -3,7 +3,8 @@
 
 For every instance: flatdt triangulates it, with the same bytes by both engines, and flatdt-check says VERIFIED. For those
 of corpora/adversarial also: the table in its README (delta^2, Delta^2, sheets, cells, reason) is what flatdt says. For
-generated ones also: another order of insertion and the cover of Theorem 10 give the same bytes. Stops at the first instance that goes wrong and
+generated ones also: another order of insertion and the cover of Theorem 10 give the same bytes, and
+--smallest-cover what flatdt-check says VERIFIED of, in fewer cells. Stops at the first instance that goes wrong and
 says which one of how many it was. Standard library only; the same on every machine.
 """
 
@@ -162,12 +163,22 @@ def check_generated(programs, job, folder):
     programs.prove(instance, out)
     if programs.triangulate(instance, other, "--engine", "covering") != written:
         raise Failure("the engines give different triangulations")
+    if written != programs.triangulate(instance, other, "--smallest-cover") and points <= 60:
+        programs.prove(instance, other)
+        least, safe = (cell_count(p) for p in (other, out))
+        if least >= safe:
+            raise Failure(f"--smallest-cover writes {least} cells where {safe} are written without it")
     if points <= 60:
         for engine in ("without-covers", "covering"):
             if programs.triangulate(instance, other, "--engine", engine, "--order", 1 + seed) != written:
                 raise Failure(f"{engine}: another order of insertion gives another triangulation")
     if manifold in PLANAR and points <= 12 and programs.triangulate(instance, other, "--sheets", "theorem10") != written:
         raise Failure("the cover of Theorem 10 gives another triangulation")
+
+
+def cell_count(triangulation):
+    """The number of cells, which for one instance is proportional to that of sheets."""
+    return int(re.search(r"^cells (\d+)", triangulation.read_text(), re.MULTILINE).group(1))
 
 
 def cases(programs, corpora, adversarial_only):

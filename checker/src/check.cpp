@@ -1,6 +1,5 @@
 #include "flatdt/checker/check.hpp"
 
-#include <algorithm>
 #include <new>
 #include <utility>
 #include <variant>
@@ -90,37 +89,20 @@ std::optional<Subgroup> check_subgroup(const Triangulation& triangulation, Eleme
   return subgroup;
 }
 
-/// Fills distinct_cells and faces.
-void find_faces(Context& context) {
-  const Complex& complex = context.complex;
-  std::vector<std::pair<FaceKey, CellId>> keyed;
-  keyed.reserve(complex.cells.size());
-  for (std::size_t c = 0; c < complex.cells.size(); ++c) {
-    keyed.emplace_back(canonical_face(complex.cells[c], {0, 1, 2, 3}, complex.corners).key,
-                       make_id<CellId>(c));
-  }
-  std::sort(keyed.begin(), keyed.end());
-  for (std::size_t k = 0; k < keyed.size(); ++k) {
-    if (k > 0 && keyed[k].first == keyed[k - 1].first) continue;
-    context.faces[complex.corners].push_back(keyed[k].first);
-    context.distinct_cells.push_back(keyed[k].second);
-  }
-  for (std::size_t size = 2; size < complex.corners; ++size)
-    context.faces[size] = distinct_faces(complex, size);
-}
-
-void check_all(const Instance& instance, const Triangulation& triangulation, Verdict& verdict) {
+void check_all(const Instance& instance, const Triangulation& triangulation, const Stages& stages,
+               Verdict& verdict) {
   const std::optional<Group> group = check_group(instance, verdict);
   if (!group) return;
   ElementTable table(*group);
   std::vector<ElementId> elements;
   const std::optional<Subgroup> subgroup = check_subgroup(triangulation, table, elements, verdict);
   if (!subgroup) return;
-  const Orbits orbits = make_orbits(instance, table);
+  const Orbits orbits = make_orbits(instance, table, stages.fixed_width);
   const Complex complex = make_complex(triangulation, elements, orbits, *subgroup, table);
-  Geometry geometry(complex, orbits, table, instance.metric);
-  Context context{instance, triangulation, *group, *subgroup, orbits, complex, table, geometry, verdict};
-  find_faces(context);
+  Geometry geometry(complex, orbits, table, instance.metric, stages);
+  const Faces faces = find_faces(complex);
+  Context context{instance, triangulation, *group,   *subgroup, orbits,
+                  complex,  table,         geometry, verdict,   faces};
   check_vertices(context);
   check_cells(context);
   check_facets(context);
@@ -135,10 +117,10 @@ void check_all(const Instance& instance, const Triangulation& triangulation, Ver
 
 }  // namespace
 
-Verdict check(const Instance& instance, const Triangulation& triangulation) {
+Verdict check(const Instance& instance, const Triangulation& triangulation, const Stages& stages) {
   Verdict verdict;
   try {
-    check_all(instance, triangulation, verdict);
+    check_all(instance, triangulation, stages, verdict);
     conclude(verdict, instance.claim.has_value());
     return verdict;
   } catch (const ResourceLimit& limit) {

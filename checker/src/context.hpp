@@ -13,12 +13,6 @@
 
 namespace flatdt::checker {
 
-/// Two occurrences of one facet: indices into Context::occurrences.
-struct FacetPair {
-  std::size_t first;
-  std::size_t second;
-};
-
 struct Context {
   const Instance& instance;
   const Triangulation& triangulation;
@@ -30,13 +24,9 @@ struct Context {
   Geometry& geometry;
   Verdict& verdict;
 
+  const Faces& faces;
+
   std::vector<Sign> orientation = {};  ///< by CellId, of the normalised cells
-  std::vector<Occurrence> occurrences = {};
-  std::vector<FacetPair> pairs = {};  ///< of the facets occurring exactly twice, by key
-  std::array<std::vector<FaceKey>, 5> faces =
-      {};  ///< by number of vertices, 2 to d+1: the sorted distinct faces
-  std::vector<CellId> distinct_cells =
-      {};  ///< the first cell of each distinct one, in the order of faces[d+1]
 
   void holds(ConditionName name, Witness witness = {}) const {
     verdict[name] = {Status::holds, std::move(witness)};
@@ -48,16 +38,19 @@ struct Context {
 };
 
 // Each evaluates the conditions it names, whose premises must have been evaluated, and sets their statuses.
-void check_vertices(const Context& context);   // vertices.complete
-void check_cells(Context& context);            // cells.nondegenerate, volume.exact; fills orientation
-void check_facets(Context& context);           // facets.paired, facets.opposite; fills occurrences and pairs
-void check_delaunay(const Context& context);   // delaunay.empty
-void check_simplices(const Context& context);  // simplices.injective
-void check_skeleton(const Context& context);   // skeleton.no-loop, skeleton.no-2-cycle
+void check_vertices(const Context& context);      // vertices.complete
+void check_cells(Context& context);               // cells.nondegenerate, volume.exact; fills orientation
+void check_facets(const Context& context);        // facets.paired, facets.opposite
+void check_delaunay(const Context& context);      // delaunay.empty
+void check_simplices(const Context& context);     // simplices.injective
+void check_skeleton(const Context& context);      // skeleton.no-loop, skeleton.no-2-cycle
 void check_intersection(const Context& context);  // complex.intersection
 void check_links(const Context& context);         // links.spheres
 void check_topology(const Context& context);      // topology.connected, topology.euler, topology.orientable
 void check_homology(const Context& context);      // topology.homology
+
+/// The orientation of a cell moved by H until its corner `base` is a base lift.
+[[nodiscard]] Sign orientation_in_frame(const Context& context, CellId cell, std::size_t base);
 
 /// The side of a facet on which the apex of an occurrence lies: the orientation of (canonical list of the
 /// facet, apex) in the frame of the canonical list. Zero if the cell is degenerate.

@@ -29,17 +29,16 @@ Rational insphere_value(const Context& context, const std::vector<Vec<Rational>>
 // Both apices of a facet are inside the other's ball or neither is, so one test for each facet is enough.
 void check_delaunay(const Context& context) {
   using enum ConditionName;
-  for (const FacetPair& pair : context.pairs) {
-    const Occurrence& a = context.occurrences[pair.first];
-    const Occurrence& b = context.occurrences[pair.second];
+  const Complex& complex = context.complex;
+  for (const auto& [a, b] : context.faces.pairs) {
     const Sign side = side_of(context, a);
     if (side == Sign::zero || side_of(context, b) != opposite(side)) continue;
-    const Cell& cell = context.complex.cells[index(a.cell)];
-    const Cell& other = context.complex.cells[index(b.cell)];
-    // From the frame of the canonical facet (base corner of b) to the normalised cell a: offset_a[0][base_a].
-    const ElementId apex = context.table.left_quotient(cell.offset[a.base][0], other.offset[b.base][b.facet]);
+    const Cell& cell = complex.cells[index(a.cell)];
+    const Cell& other = complex.cells[index(b.cell)];
+    // Both cells are moved until the facet is its canonical list.
+    const Lift apex{other.vertex[b.facet], complex.offsets(other)[b.base][b.facet]};
     const Sign inside =
-        context.geometry.insphere(cell, context.orientation[index(a.cell)], other.vertex[b.facet], apex);
+        context.geometry.insphere(cell, a.base, orientation_in_frame(context, a.cell, a.base), apex);
     if (inside != Sign::positive) continue;
     const ElementId gluing = file_gluing(context, a, b);
     const int d = context.group.dimension;
@@ -59,7 +58,7 @@ void check_delaunay(const Context& context) {
   }
   const bool global = context.has(vertices_complete) && context.has(cells_nondegenerate) &&
                       context.has(facets_paired) && context.has(facets_opposite) && context.has(volume_exact);
-  if (global) context.holds(delaunay_empty, {{"facets", number_text(context.pairs.size())}});
+  if (global) context.holds(delaunay_empty, {{"facets", number_text(context.faces.pairs.size())}});
 }
 
 }  // namespace flatdt::checker

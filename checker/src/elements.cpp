@@ -1,10 +1,28 @@
 #include "elements.hpp"
 
 #include <limits>
+#include <optional>
 
 #include "flatdt/checker/errors.hpp"
 
 namespace flatdt::checker {
+namespace {
+
+/// Six bits for the rotation (a point group has at most 48) and 19 for each component of the shift, if it is
+/// small.
+std::optional<std::uint64_t> packed(const Element& element) {
+  constexpr long kLimit = 1L << 18;
+  std::uint64_t key = element.rotation;
+  for (const Integer& x : element.shift) {
+    if (!x.fits_slong_p()) return std::nullopt;
+    const long value = x.get_si();
+    if (value < -kLimit || value >= kLimit) return std::nullopt;
+    key = (key << 19) | static_cast<std::uint64_t>(value + kLimit);
+  }
+  return key;
+}
+
+}  // namespace
 
 bool ElementTable::Less::operator()(const Element& a, const Element& b) const {
   if (a.rotation != b.rotation) return a.rotation < b.rotation;
@@ -20,12 +38,18 @@ ElementTable::ElementTable(const Group& group) : group_(group) {
 }
 
 ElementId ElementTable::intern(const Element& element) {
-  const auto [position, inserted] = ids_.try_emplace(element, make_id<ElementId>(elements_.size()));
-  if (inserted && elements_.size() == std::numeric_limits<std::uint32_t>::max()) {
+  if (elements_.size() == std::numeric_limits<std::uint32_t>::max()) {
     throw ResourceLimit("more than 2^32 - 1 group elements");
   }
-  if (inserted) elements_.push_back(element);
-  return position->second;
+  const auto next = make_id<ElementId>(elements_.size());
+  ElementId id = next;
+  if (const std::optional<std::uint64_t> key = packed(element)) {
+    id = make_id<ElementId>(small_.insert(*key, static_cast<std::uint32_t>(next)));
+  } else {
+    id = large_.try_emplace(element, next).first->second;
+  }
+  if (id == next) elements_.push_back(element);
+  return id;
 }
 
 ElementId ElementTable::product(ElementId a, ElementId b) {
@@ -40,9 +64,11 @@ ElementId ElementTable::left_quotient(ElementId a, ElementId b) {
   if (a == b) return kIdentity;
   if (a == kIdentity) return b;
   const std::uint64_t key = pair_key(a, b);
-  if (const auto known = quotients_.find(key); known != quotients_.end()) return known->second;
+  if (const std::uint32_t known = quotients_.find(key); known != IdMap::kAbsent) {
+    return make_id<ElementId>(known);
+  }
   const ElementId result = intern(group_.multiply(group_.invert((*this)[a]), (*this)[b]));
-  quotients_.emplace(key, result);
+  quotients_.insert(key, static_cast<std::uint32_t>(result));
   return result;
 }
 

@@ -1,24 +1,24 @@
-// Faces modulo H by canonical keys, and the facets with the cells on their sides.
+// Faces modulo H by canonical lists, and the facets with the cells on their sides.
 //
-// Key: a face has vertices (v_i, h_i); moving it by h_b^-1 puts vertex b to its base lift. Of all b with
+// List: a face has vertices (v_i, h_i); moving it by h_b^-1 puts vertex b to its base lift. Of all b with
 // least v_b take the least sorted list of (v_i, h_b^-1 h_i). H acts freely on the plane or space, so equal
-// faces modulo H have equal keys, the mover h_b^-1 is determined by the face, and the first entry of the list
-// is (v_b, identity). Source: DESIGN.md, section 6; docs/soundness.md, section 3.
+// faces modulo H have equal lists, the mover h_b^-1 is determined by the face, and the first entry of the
+// list is (v_b, identity). Source: DESIGN.md, section 6; docs/soundness.md, section 3.
 #pragma once
 
 #include <array>
 #include <compare>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "complex.hpp"
-#include "flatdt/checker/exact.hpp"
 
 namespace flatdt::checker {
 
 inline constexpr std::uint32_t kNone = 0xFFFFFFFF;
 
-/// The canonical sorted list of a face: vertices, and offsets of all but the first; unused entries are kNone.
+/// The canonical list of a face: vertices, and offsets of all but the first; unused entries are kNone.
 struct FaceKey {
   std::array<std::uint32_t, 4> vertex{kNone, kNone, kNone, kNone};
   std::array<std::uint32_t, 3> offset{kNone, kNone, kNone};
@@ -26,35 +26,70 @@ struct FaceKey {
   auto operator<=>(const FaceKey&) const = default;
 };
 
-/// A face of one cell in canonical form: list entry k is corner[k] of the cell, and corner[0] has the base
-/// lift.
-struct CanonicalFace {
-  FaceKey key;
-  std::array<std::uint8_t, 4> corner{};
-};
+/// The corners of a face in the order of its canonical list; corner [0] has the base lift.
+using Corners = std::array<std::uint8_t, 4>;
 
-/// The face of `cell` spanned by the first `size` entries of `corners`.   Requires: those vertices are
-/// different.
-[[nodiscard]] CanonicalFace canonical_face(const Cell& cell, const std::array<std::uint8_t, 4>& corners,
-                                           std::size_t size);
+/// The face of `cell` spanned by the first `size` entries of `corners`, which are put into the order of the
+/// list. Requires: those vertices are different.
+void make_canonical(const Cell& cell, const Offsets& offset, Corners& corners, std::size_t size);
 
-/// The sorted distinct faces with `size` vertices of all cells. Subsets with a repeated vertex are no such
-/// faces.
-[[nodiscard]] std::vector<FaceKey> distinct_faces(const Complex& complex, std::size_t size);
+/// The list of a face whose corners are in its order.
+[[nodiscard]] FaceKey key_of(const Cell& cell, const Offsets& offset, const Corners& corners,
+                             std::size_t size);
+
+/// Whether two of the first `size` of these corners are the same point.
+[[nodiscard]] bool repeats_vertex(const Cell& cell, const Offsets& offset, const Corners& corners,
+                                  std::size_t size);
 
 /// Whether two corners of the cell are the same point.
-[[nodiscard]] bool has_repeated_vertex(const Cell& cell, std::size_t corners);
+[[nodiscard]] bool has_repeated_vertex(const Complex& complex, const Cell& cell);
 
 /// One facet of one cell.
 struct Occurrence {
-  FaceKey key;
   CellId cell;
   std::uint8_t facet;  ///< the corner opposite
   std::uint8_t base;   ///< the corner with the base lift in the canonical list
   std::int8_t parity;  ///< of the permutation (canonical list, apex) of the cell's corners
 };
 
-/// All occurrences, sorted by key, then cell and facet. Cells with a repeated vertex have none.
-[[nodiscard]] std::vector<Occurrence> facet_occurrences(const Complex& complex);
+/// The corners of a facet in the order of its canonical list.
+[[nodiscard]] Corners facet_corners(const Complex& complex, const Occurrence& occurrence);
+
+/// The two occurrences of one facet, the one in the smaller cell (then of the smaller corner) first.
+struct FacetPair {
+  Occurrence first;
+  Occurrence second;
+};
+
+/// The canonical list of an edge: (low, identity), (high, offset).
+struct Edge {
+  std::uint32_t low;
+  std::uint32_t high;
+  std::uint32_t offset;
+
+  auto operator<=>(const Edge&) const = default;
+  [[nodiscard]] FaceKey key() const { return {{low, high, kNone, kNone}, {offset, kNone, kNone}}; }
+};
+
+/// The faces of all cells, each in the order of the canonical lists. Subsets of a cell's corners with a
+/// repeated vertex are no faces, and a cell with such a subset has no facets.
+struct Faces {
+  /// A facet that does not occur exactly twice: its first occurrence, and their number.
+  struct Odd {
+    Occurrence first;
+    std::size_t occurrences;
+  };
+  using Parallel = std::array<FaceKey, 2>;  ///< two different faces with the same vertices
+
+  std::vector<Edge> edges;                          ///< distinct
+  std::vector<CellId> distinct_cells;               ///< the first cell of each distinct one
+  std::vector<FacetPair> pairs;                     ///< facets that occur exactly twice
+  std::optional<Odd> odd;                           ///< the first one that does not
+  std::array<std::size_t, 5> count{};               ///< distinct faces, by number of vertices, 2 to d+1
+  std::array<std::optional<Parallel>, 5> parallel;  ///< the first such faces, by number of vertices
+};
+
+/// Cost: O(n log m) for n cells, m the largest number of faces with one least vertex.
+[[nodiscard]] Faces find_faces(const Complex& complex);
 
 }  // namespace flatdt::checker

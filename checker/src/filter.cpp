@@ -1,20 +1,41 @@
-// The floating-point stage of the insphere test: the formula of Geometry::insphere_exact in balls.
+// The floating-point stage of the insphere test for numbers of any size: the formula of
+// Geometry::insphere_exact in balls.
 #include <array>
 
 #include "geometry.hpp"
 
 namespace flatdt::checker {
 
-Vec<Ball> Geometry::ball_lift(VertexId v, ElementId offset) {
-  const Vec<Ball>& base = base_ball_[index(v)];
-  if (offset == kIdentity) return base;
-  while (translation_ball_.size() <= index(offset)) {
+void Geometry::make_balls(const Mat<Rational>& gram) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < 3; ++j) gram_ball_[i][j] = to_ball(gram[i][j]);
+  }
+  for (const Mat<Integer>& integral : table_.group().linear) {
+    Mat<Ball>& linear = linear_ball_.emplace_back();
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) linear[i][j] = to_ball(Rational(integral[i][j]));
+    }
+  }
+  for (const LatticePoint& base : base_) {
+    Vec<Ball>& ball = base_ball_.emplace_back();
+    for (std::size_t i = 0; i < 3; ++i) {
+      Rational x(base.numerator[i], base.denominator);
+      x.canonicalize();
+      ball[i] = to_ball(x);
+    }
+  }
+}
+
+Vec<Ball> Geometry::ball_lift(const Lift& l) {
+  const Vec<Ball>& base = base_ball_[index(l.vertex)];
+  if (l.offset == kIdentity) return base;
+  while (translation_ball_.size() <= index(l.offset)) {
     const Seitz g = table_.group().lattice_seitz(table_[make_id<ElementId>(translation_ball_.size())]);
     translation_ball_.push_back(
         {to_ball(g.translation[0]), to_ball(g.translation[1]), to_ball(g.translation[2])});
   }
-  const Vec<Ball>& t = translation_ball_[index(offset)];
-  const std::uint8_t rotation = table_[offset].rotation;
+  const Vec<Ball>& t = translation_ball_[index(l.offset)];
+  const std::uint8_t rotation = table_[l.offset].rotation;
   if (rotation == 0) return {base[0] + t[0], base[1] + t[1], base[2] + t[2]};
   const Mat<Ball>& r = linear_ball_[rotation];
   Vec<Ball> out;
@@ -23,14 +44,13 @@ Vec<Ball> Geometry::ball_lift(VertexId v, ElementId offset) {
   return out;
 }
 
-std::optional<Sign> Geometry::insphere_filter(const Cell& cell, Sign orientation, VertexId v,
-                                              ElementId offset) {
+std::optional<Sign> Geometry::insphere_balls(const std::array<Lift, 5>& points, Sign orientation) {
   const auto n = static_cast<std::size_t>(dimension_);
-  const Vec<Ball> q = ball_lift(v, offset);
+  const Vec<Ball> q = ball_lift(points[n + 1]);
   std::array<Vec<Ball>, 4> p;
   std::array<Ball, 4> norm;
   for (std::size_t k = 0; k <= n; ++k) {
-    const Vec<Ball> lift = ball_lift(cell.vertex[k], cell.offset[0][k]);
+    const Vec<Ball> lift = ball_lift(points[k]);
     for (std::size_t i = 0; i < n; ++i) p[k][i] = lift[i] - q[i];
     for (std::size_t i = 0; i < n; ++i) {
       Ball image;

@@ -21,8 +21,12 @@ void cross(Integer& out, const Integer& a, const Integer& b, const Integer& c, c
 }  // namespace
 
 Geometry::Geometry(const Complex& complex, const Orbits& orbits, const ElementTable& table,
-                   const Mat<Rational>& metric)
-    : complex_(complex), table_(table), dimension_(table.group().dimension), group_denominator_(1) {
+                   const Mat<Rational>& metric, const Stages& stages)
+    : complex_(complex),
+      table_(table),
+      stages_(stages),
+      dimension_(table.group().dimension),
+      group_denominator_(1) {
   const Group& group = table.group();
   const Mat<Rational> gram = lattice_gram(group, metric);
   Integer scale = 1;
@@ -32,99 +36,111 @@ Geometry::Geometry(const Complex& complex, const Orbits& orbits, const ElementTa
       group_denominator_ = lcm(group_denominator_, t[i].get_den());
   }
   for (std::size_t i = 0; i < 3; ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      gram_[i][j] = gram[i][j].get_num() * (scale / gram[i][j].get_den());
-      gram_ball_[i][j] = to_ball(gram[i][j]);
-    }
+    for (std::size_t j = 0; j < 3; ++j) gram_[i][j] = gram[i][j].get_num() * (scale / gram[i][j].get_den());
   }
   for (std::size_t r = 0; r < group.order(); ++r) {
     Vec<Integer>& t = translations_.emplace_back();
-    Mat<Ball>& linear = linear_ball_.emplace_back();
     for (std::size_t i = 0; i < 3; ++i) {
       const Rational& x = group.translation[r][i];
       t[i] = x.get_num() * (group_denominator_ / x.get_den());
-      for (std::size_t j = 0; j < 3; ++j) linear[i][j] = to_ball(Rational(group.linear[r][i][j]));
     }
   }
-  base_.resize(complex.vertices.size());
-  base_ball_.resize(complex.vertices.size());
-  for (std::size_t v = 0; v < complex.vertices.size(); ++v) {
-    const LatticePoint& canonical = orbits.canonical[index(complex.vertices[v].orbit)];
-    const Seitz coset = group.lattice_seitz(table[complex.vertices[v].coset]);
-    LatticePoint& base = base_[v];
+  if (stages.fixed_width) fixed_ = FixedGeometry::make(complex, orbits, table, gram_);
+  if (fixed_) {
+    for (Integer& denominator : denominators_) denominator = fixed_->denominator();
+  } else {
+    make_bases(orbits);
+    make_balls(gram);
+  }
+}
+
+void Geometry::make_bases(const Orbits& orbits) {
+  base_.reserve(complex_.vertices.size());
+  for (const auto& [orbit, coset] : complex_.vertices) {
+    LatticePoint canonical;
+    if (orbits.fixed) {
+      const Vec<std::int64_t>& x = orbits.fixed->numerator[index(orbit)];
+      canonical = {{x[0], x[1], x[2]}, orbits.fixed->denominator};
+    } else {
+      canonical = orbits.canonical[index(orbit)];
+    }
+    LatticePoint& base = base_.emplace_back();
     base.denominator = lcm(canonical.denominator, group_denominator_);
     Vec<Rational> x;
     for (std::size_t i = 0; i < 3; ++i) {
       x[i] = Rational(canonical.numerator[i], canonical.denominator);
       x[i].canonicalize();
     }
-    x = apply(dimension_, coset, x);
+    x = apply(dimension_, table_.group().lattice_seitz(table_[coset]), x);
     for (std::size_t i = 0; i < 3; ++i) {
       base.numerator[i] = x[i].get_num() * (base.denominator / x[i].get_den());
-      base_ball_[v][i] = to_ball(x[i]);
     }
   }
 }
 
 Vec<Rational> Geometry::point(VertexId v, ElementId offset) const {
-  const LatticePoint& base = base_[index(v)];
   Vec<Rational> x;
   for (std::size_t i = 0; i < 3; ++i) {
-    x[i] = Rational(base.numerator[i], base.denominator);
+    x[i] = fixed_ ? Rational(fixed_->base(v)[i], fixed_->denominator())
+                  : Rational(base_[index(v)].numerator[i], base_[index(v)].denominator);
     x[i].canonicalize();
   }
   return apply(dimension_, table_.group().lattice_seitz(table_[offset]), x);
 }
 
 // Over the denominator D of the base lift: D (R x + t + l) = R X + (D/N) T + D l, with t = T/N.
-void Geometry::lift(VertexId v, ElementId offset, Point& out) {
-  const LatticePoint& base = base_[index(v)];
-  if (offset == kIdentity) {
-    for (std::size_t i = 0; i < 3; ++i) out[i] = base.numerator[i];
-    return;
+void Geometry::lift(const Lift& l, std::size_t slot) {
+  Point& out = points_[slot];
+  Integer& denominator = denominators_[slot];
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (fixed_) {
+      x_[i] = fixed_->base(l.vertex)[i];
+    } else {
+      x_[i] = base_[index(l.vertex)].numerator[i];
+    }
   }
-  const Element& g = table_[offset];
+  if (!fixed_) denominator = base_[index(l.vertex)].denominator;
+  const Element& g = table_[l.offset];
   const auto n = static_cast<std::size_t>(dimension_);
   if (g.rotation == 0) {
-    for (std::size_t i = 0; i < n; ++i) out[i] = base.numerator[i];
+    for (std::size_t i = 0; i < n; ++i) out[i] = x_[i];
   } else {
     const Mat<Integer>& linear = table_.group().linear[g.rotation];
-    mpz_divexact(factor_.get_mpz_t(), base.denominator.get_mpz_t(), group_denominator_.get_mpz_t());
+    mpz_divexact(factor_.get_mpz_t(), denominator.get_mpz_t(), group_denominator_.get_mpz_t());
     for (std::size_t i = 0; i < n; ++i) {
       mpz_mul(out[i].get_mpz_t(), factor_.get_mpz_t(), translations_[g.rotation][i].get_mpz_t());
       for (std::size_t k = 0; k < n; ++k) {
-        mpz_addmul(out[i].get_mpz_t(), linear[i][k].get_mpz_t(), base.numerator[k].get_mpz_t());
+        mpz_addmul(out[i].get_mpz_t(), linear[i][k].get_mpz_t(), x_[k].get_mpz_t());
       }
     }
   }
+  if (l.offset == kIdentity) return;
   for (std::size_t i = 0; i < n; ++i) {
-    mpz_addmul(out[i].get_mpz_t(), base.denominator.get_mpz_t(), g.shift[i].get_mpz_t());
+    mpz_addmul(out[i].get_mpz_t(), denominator.get_mpz_t(), g.shift[i].get_mpz_t());
   }
 }
 
 /// Scales the first `count` points to the least common multiple of their denominators, left in common_.
 void Geometry::bring_to_common_denominator(std::size_t count) {
-  common_ = *denominators_[0];
+  common_ = denominators_[0];
   bool equal = true;
   for (std::size_t k = 1; k < count; ++k) {
-    if (*denominators_[k] == common_) continue;
+    if (denominators_[k] == common_) continue;
     equal = false;
-    mpz_lcm(common_.get_mpz_t(), common_.get_mpz_t(), denominators_[k]->get_mpz_t());
+    mpz_lcm(common_.get_mpz_t(), common_.get_mpz_t(), denominators_[k].get_mpz_t());
   }
   if (equal) return;
   for (std::size_t k = 0; k < count; ++k) {
-    if (*denominators_[k] == common_) continue;
-    mpz_divexact(factor_.get_mpz_t(), common_.get_mpz_t(), denominators_[k]->get_mpz_t());
+    if (denominators_[k] == common_) continue;
+    mpz_divexact(factor_.get_mpz_t(), common_.get_mpz_t(), denominators_[k].get_mpz_t());
     for (Integer& x : points_[k]) x *= factor_;
   }
 }
 
-Geometry::Fraction Geometry::determinant(const Cell& cell) {
+/// Leaves the determinant of the normalised cell in determinant_ / power_.
+void Geometry::determinant(const Cell& cell) {
   const auto n = static_cast<std::size_t>(dimension_);
-  for (std::size_t k = 0; k <= n; ++k) {
-    lift(cell.vertex[k], cell.offset[0][k], points_[k]);
-    denominators_[k] = &base_[index(cell.vertex[k])].denominator;
-  }
+  for (std::size_t k = 0; k <= n; ++k) lift({cell.vertex[k], complex_.offsets(cell)[0][k]}, k);
   bring_to_common_denominator(n + 1);
   for (std::size_t k = 1; k <= n; ++k) {
     for (std::size_t i = 0; i < n; ++i) points_[k][i] -= points_[0][i];
@@ -141,7 +157,29 @@ Geometry::Fraction Geometry::determinant(const Cell& cell) {
     mpz_addmul(determinant_.get_mpz_t(), a_.get_mpz_t(), r[1].get_mpz_t());
   }
   mpz_pow_ui(power_.get_mpz_t(), common_.get_mpz_t(), n);
-  return {determinant_, power_};
+}
+
+VolumeSum Geometry::no_volume() const {
+  Integer power;
+  mpz_ui_pow_ui(power.get_mpz_t(), fixed_ ? static_cast<unsigned long>(fixed_->denominator()) : 1,
+                static_cast<unsigned long>(dimension_));
+  return VolumeSum(power);
+}
+
+Sign Geometry::orientation(const Cell& cell, VolumeSum& sum) {
+  if (fixed_) {
+    std::array<Lift, 4> corners{};
+    for (std::size_t k = 0; k < complex_.corners; ++k) {
+      corners[k] = {cell.vertex[k], complex_.offsets(cell)[0][k]};
+    }
+    if (const std::optional<Wide<3>> det = fixed_->determinant(corners)) {
+      sum.add(*det);
+      return sign_of(*det);
+    }
+  }
+  determinant(cell);
+  sum.add(determinant_, power_);
+  return sign_of(determinant_);
 }
 
 void Geometry::squared_norm(const Point& v, Integer& out) {
@@ -155,14 +193,9 @@ void Geometry::squared_norm(const Point& v, Integer& out) {
 }
 
 // Laplace expansion by the first two columns against the last two (3D), or along the last column (2D).
-Sign Geometry::insphere_exact(const Cell& cell, Sign orientation, VertexId v, ElementId offset) {
+Sign Geometry::insphere_exact(const std::array<Lift, 5>& points, Sign orientation) {
   const auto n = static_cast<std::size_t>(dimension_);
-  for (std::size_t k = 0; k <= n; ++k) {
-    lift(cell.vertex[k], cell.offset[0][k], points_[k]);
-    denominators_[k] = &base_[index(cell.vertex[k])].denominator;
-  }
-  lift(v, offset, points_[n + 1]);
-  denominators_[n + 1] = &base_[index(v)].denominator;
+  for (std::size_t k = 0; k <= n + 1; ++k) lift(points[k], k);
   bring_to_common_denominator(n + 2);
   for (std::size_t k = 0; k <= n; ++k) {
     for (std::size_t i = 0; i < n; ++i) points_[k][i] -= points_[n + 1][i];
@@ -192,9 +225,23 @@ Sign Geometry::insphere_exact(const Cell& cell, Sign orientation, VertexId v, El
   return orientation == Sign::positive ? opposite(sign) : sign;  // (-1)^3
 }
 
-Sign Geometry::insphere(const Cell& cell, Sign orientation, VertexId v, ElementId offset) {
-  if (const std::optional<Sign> sign = insphere_filter(cell, orientation, v, offset)) return *sign;
-  return insphere_exact(cell, orientation, v, offset);
+std::array<Lift, 5> Geometry::lifts(const Cell& cell, std::size_t frame, const Lift& q) const {
+  const std::array<ElementId, 4>& offset = complex_.offsets(cell)[frame];
+  std::array<Lift, 5> points{};
+  for (std::size_t k = 0; k < complex_.corners; ++k) points[k] = {cell.vertex[k], offset[k]};
+  points[complex_.corners] = q;
+  return points;
+}
+
+Sign Geometry::insphere(const Cell& cell, std::size_t frame, Sign orientation, const Lift& q) {
+  const std::array<Lift, 5> points = lifts(cell, frame, q);
+  std::optional<Sign> sign;
+  if (fixed_) {
+    sign = fixed_->insphere(points, orientation, stages_.filter ? FixedStage::both : FixedStage::limbs);
+  } else if (stages_.filter) {
+    sign = insphere_balls(points, orientation);
+  }
+  return sign ? *sign : insphere_exact(points, orientation);
 }
 
 }  // namespace flatdt::checker

@@ -1,16 +1,22 @@
-// Exact lifts, determinants and the insphere test, in lattice coordinates of G.
+// Exact lifts, determinants and the insphere test, in lattice coordinates of G, in stages: machine integers
+// of fixed width (with a floating-point stage of their own) where the numbers fit, else floating-point balls
+// and then integers of any size.
 //
-// All coordinates of one evaluation are integers over one common denominator; temporaries are kept between
-// calls (measured for such determinants: 1-2 us, against 27 us with mpq). The Gram matrix is scaled to
-// integers.
+// In the last stage all coordinates of one evaluation are integers over one common denominator; temporaries
+// are kept between calls (measured for such determinants: 1-2 us, against 27 us with mpq). The Gram matrix is
+// scaled to integers.
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "ball.hpp"
 #include "complex.hpp"
+#include "fixed_geometry.hpp"
+#include "flatdt/checker/check.hpp"
 #include "flatdt/checker/exact.hpp"
+#include "volume_sum.hpp"
 
 namespace flatdt::checker {
 
@@ -18,26 +24,29 @@ class Geometry {
  public:
   /// `metric` in the instance's coordinates.
   Geometry(const Complex& complex, const Orbits& orbits, const ElementTable& table,
-           const Mat<Rational>& metric);
+           const Mat<Rational>& metric, const Stages& stages = {});
 
-  /// det[p_1 - p_0 .. p_d - p_0] of the normalised cell (frame of its first vertex), as numerator /
-  /// denominator > 0. The reference is valid until the next call.
-  struct Fraction {
-    const Integer& numerator;
-    const Integer& denominator;
-  };
-  [[nodiscard]] Fraction determinant(const Cell& cell);
+  /// The sign of det[p_1 - p_0 .. p_d - p_0] of the normalised cell (frame of its first vertex); its absolute
+  /// value is added to the sum.
+  [[nodiscard]] Sign orientation(const Cell& cell, VolumeSum& sum);
+  /// A sum for `orientation`.
+  [[nodiscard]] VolumeSum no_volume() const;
 
-  /// Sign of insphere(cell; q), q = offset * (base lift of v): positive iff q is strictly inside the
-  /// circumsphere. Formula:  orientation * (-1)^d det of the d+1 rows (p_i - q, |p_i - q|^2), p_i the
-  /// normalised cell. Requires: orientation is the sign of determinant(cell), not zero. Law:      zero iff
-  /// cospherical.   Stages: floating-point balls, then integers; the first is certain or silent.
-  [[nodiscard]] Sign insphere(const Cell& cell, Sign orientation, VertexId v, ElementId offset);
-  /// The second stage alone.
-  [[nodiscard]] Sign insphere_exact(const Cell& cell, Sign orientation, VertexId v, ElementId offset);
-  /// The first stage alone.
-  [[nodiscard]] std::optional<Sign> insphere_filter(const Cell& cell, Sign orientation, VertexId v,
-                                                    ElementId offset);
+  /// Sign of insphere(cell; q), q = offset * (base lift of v), the cell moved by H until its corner `frame`
+  /// is a base lift: positive iff q is strictly inside the circumsphere. Formula:  orientation * (-1)^d det
+  /// of the d+1 rows (p_i - q, |p_i - q|^2), p_i the moved cell. Requires: orientation is the sign of the
+  /// determinant of the moved cell, not zero. Law:      zero iff cospherical.   Stages: all that the
+  /// constructor allowed; the same answer from each.
+  [[nodiscard]] Sign insphere(const Cell& cell, std::size_t frame, Sign orientation, const Lift& q);
+  /// The last stage alone.
+  [[nodiscard]] Sign insphere_exact(const std::array<Lift, 5>& points, Sign orientation);
+  /// The balls alone.   Requires: the stage of fixed width was not allowed, or the input does not fit it.
+  [[nodiscard]] std::optional<Sign> insphere_balls(const std::array<Lift, 5>& points, Sign orientation);
+
+  [[nodiscard]] const std::optional<FixedGeometry>& fixed() const { return fixed_; }
+
+  /// The corners of the moved cell, and q at the end.
+  [[nodiscard]] std::array<Lift, 5> lifts(const Cell& cell, std::size_t frame, const Lift& q) const;
 
   /// The point offset * (base lift of v), exactly, in lattice coordinates.
   [[nodiscard]] Vec<Rational> point(VertexId v, ElementId offset) const;
@@ -45,17 +54,24 @@ class Geometry {
  private:
   using Point = Vec<Integer>;
 
-  void lift(VertexId v, ElementId offset, Point& out);
+  void make_bases(const Orbits& orbits);
+  void make_balls(const Mat<Rational>& gram);
+  void lift(const Lift& l, std::size_t slot);
   void bring_to_common_denominator(std::size_t count);
   void squared_norm(const Point& v, Integer& out);
-  [[nodiscard]] Vec<Ball> ball_lift(VertexId v, ElementId offset);
+  void determinant(const Cell& cell);
+  [[nodiscard]] Vec<Ball> ball_lift(const Lift& l);
 
   const Complex& complex_;
   const ElementTable& table_;
+  Stages stages_;
   int dimension_;
   Integer group_denominator_;               // common denominator of the translations
   std::vector<Vec<Integer>> translations_;  // times group_denominator_
   Mat<Integer> gram_;
+
+  std::optional<FixedGeometry> fixed_;
+  // Without it:
   std::vector<LatticePoint> base_;  // by VertexId; the denominator is a multiple of group_denominator_
   std::vector<Vec<Ball>> base_ball_;
   std::vector<Mat<Ball>> linear_ball_;
@@ -63,10 +79,10 @@ class Geometry {
   Mat<Ball> gram_ball_;
 
   std::array<Point, 5> points_;  // kept temporaries
-  std::array<const Integer*, 5> denominators_{};
+  std::array<Integer, 5> denominators_;
+  Point x_;
   Integer common_, factor_, determinant_, power_, a_, b_;
   std::array<Integer, 4> norms_;
-  std::array<Integer, 6> minors_;
 };
 
 }  // namespace flatdt::checker

@@ -55,14 +55,14 @@ class FirstHomology {
   }
 
   /// The group, or nothing above the limits. `ends` of an edge are its vertices.
-  std::optional<AbelianGroup> compute(const std::vector<FaceKey>& edges, std::size_t vertices) {
+  std::optional<AbelianGroup> compute(const std::vector<Edge>& edges, std::size_t vertices) {
     collapse();
     std::vector<bool> collapsed(edges.size());
     for (const auto& [edge, triangle] : collapses_) collapsed[edge] = true;
     UnionFind forest(vertices);
     std::uint32_t generators = 0;
     for (std::size_t e = 0; e < edges.size(); ++e) {
-      if (collapsed[e] || forest.join(edges[e].vertex[0], edges[e].vertex[1])) continue;
+      if (collapsed[e] || forest.join(edges[e].low, edges[e].high)) continue;
       chain_[e].emplace(generators++, 1);
     }
     if (generators > kMaxCritical || set_aside_.size() > kMaxCritical) return std::nullopt;
@@ -138,22 +138,20 @@ class FirstHomology {
   std::vector<std::uint32_t> set_aside_;
 };
 
-/// The boundary (01) + (12) - (02) of a triangle given by its key, in terms of sorted edges.
-Triangle boundary(const FaceKey& key, const std::vector<FaceKey>& edges, ElementTable& table) {
-  Cell cell{};
-  std::array<ElementId, 3> lift{kIdentity, make_id<ElementId>(key.offset[0]),
-                                make_id<ElementId>(key.offset[1])};
-  for (std::size_t i = 0; i < 3; ++i) {
-    cell.vertex[i] = make_id<VertexId>(key.vertex[i]);
-    for (std::size_t j = 0; j < 3; ++j) cell.offset[i][j] = table.left_quotient(lift[i], lift[j]);
-  }
-  constexpr std::array<std::array<std::uint8_t, 4>, 3> kSides = {{{0, 1, 0, 0}, {1, 2, 0, 0}, {2, 0, 0, 0}}};
+/// The boundary (01) + (12) - (02) of a triangle of a cell, in terms of sorted edges.
+Triangle boundary(const Complex& complex, CellId c, const Corners& triangle, const std::vector<Edge>& edges) {
+  const Cell& cell = complex.cells[index(c)];
+  const Offsets& offset = complex.offsets(cell);
   Triangle sides{};
   for (std::size_t s = 0; s < 3; ++s) {
-    const CanonicalFace face = canonical_face(cell, kSides[s], 2);
+    Corners ends{triangle[s], triangle[(s + 1) % 3]};
+    make_canonical(cell, offset, ends, 2);
+    const Edge edge{static_cast<std::uint32_t>(cell.vertex[ends[0]]),
+                    static_cast<std::uint32_t>(cell.vertex[ends[1]]),
+                    static_cast<std::uint32_t>(offset[ends[0]][ends[1]])};
     sides[s].edge =
-        static_cast<std::uint32_t>(std::lower_bound(edges.begin(), edges.end(), face.key) - edges.begin());
-    sides[s].sign = face.corner[0] == kSides[s][0] ? 1 : -1;
+        static_cast<std::uint32_t>(std::lower_bound(edges.begin(), edges.end(), edge) - edges.begin());
+    sides[s].sign = ends[0] == triangle[s] ? 1 : -1;
   }
   return sides;
 }
@@ -164,19 +162,25 @@ void check_homology(const Context& context) {
   using enum ConditionName;
   const Complex& complex = context.complex;
   if (!context.has(facets_paired) || complex.cells.size() > kMaxCells) return;
-  const std::vector<FaceKey>& edges = context.faces[2];
-  std::vector<Triangle> triangles;  // 3D: one for each of context.pairs, in their order
-  triangles.reserve(context.faces[3].size());
-  for (const FaceKey& key : context.faces[3]) triangles.push_back(boundary(key, edges, context.table));
+  const std::vector<Edge>& edges = context.faces.edges;
+  const std::vector<FacetPair>& pairs = context.faces.pairs;
+  std::vector<Triangle> triangles;  // 3D: one for each pair, in their order
+  if (complex.corners == 3) {
+    for (const CellId c : context.faces.distinct_cells) {
+      Corners triangle{0, 1, 2};
+      make_canonical(complex.cells[index(c)], complex.offsets(complex.cells[index(c)]), triangle, 3);
+      triangles.push_back(boundary(complex, c, triangle, edges));
+    }
+  } else {
+    for (const auto& [a, b] : pairs) {
+      triangles.push_back(boundary(complex, a.cell, facet_corners(complex, a), edges));
+    }
+  }
   FirstHomology homology(edges.size(), std::move(triangles));
   if (complex.corners == 4) {
     UnionFind tree(complex.cells.size());
-    for (std::uint32_t t = 0; t < context.pairs.size(); ++t) {
-      const FacetPair& pair = context.pairs[t];
-      if (tree.join(index(context.occurrences[pair.first].cell),
-                    index(context.occurrences[pair.second].cell))) {
-        homology.drop(t);
-      }
+    for (std::uint32_t t = 0; t < pairs.size(); ++t) {
+      if (tree.join(index(pairs[t].first.cell), index(pairs[t].second.cell))) homology.drop(t);
     }
   }
   const std::optional<AbelianGroup> found = homology.compute(edges, complex.vertices.size());

@@ -1,5 +1,6 @@
 #include "lexer.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <stdexcept>
 #include <utility>
@@ -9,56 +10,83 @@
 namespace flatdt::checker {
 namespace {
 
-constexpr int kEnd = -1;
 constexpr std::size_t kBufferBytes = 1 << 16;
+static_assert(kBufferBytes > kMaxTokenBytes);
 
-bool is_space(int c) {
+bool is_space(char c) {
   return c == ' ' || (c >= '\t' && c <= '\r');
 }  // tab LF VT FF CR are 9..13
+
+bool is_token_byte(char c) {
+  return c >= 0x21 && c <= 0x7E && c != '#';
+}
 
 }  // namespace
 
 Lexer::Lexer(std::istream& in, std::string file) : in_(in), file_(std::move(file)), buffer_(kBufferBytes) {}
 
-// Reads through the stream buffer: a read error is an exception there, while istream::read would only set a
-// flag.
-int Lexer::get() {
-  if (position_ == filled_) {
-    filled_ = static_cast<std::size_t>(in_.rdbuf()->sgetn(buffer_.data(), kBufferBytes));
-    position_ = 0;
-    if (filled_ == 0) return kEnd;
+/// Moves the bytes from `keep` on to the front of the buffer and reads more behind them; false at the end of
+/// the file. At most kMaxTokenBytes are kept, so there is room.
+/// Reads through the stream buffer: a read error is an exception there, while istream::read would only set a
+/// flag.
+bool Lexer::refill(std::size_t keep) {
+  std::copy(buffer_.begin() + static_cast<std::ptrdiff_t>(keep),
+            buffer_.begin() + static_cast<std::ptrdiff_t>(filled_), buffer_.begin());
+  position_ -= keep;
+  filled_ -= keep;
+  const auto room = static_cast<std::streamsize>(kBufferBytes - filled_);
+  const std::streamsize read = in_.rdbuf()->sgetn(buffer_.data() + filled_, room);
+  filled_ += static_cast<std::size_t>(read);
+  return read > 0;
+}
+
+/// Goes to the next byte that is neither white space nor in a comment, or to the end of the file.
+void Lexer::skip_space() {
+  bool comment = false;
+  while (position_ < filled_ || refill(position_)) {
+    const char c = buffer_[position_];
+    if (c == '\n') {
+      ++line_;
+      comment = false;
+    } else if (c == '#') {
+      comment = true;
+    } else if (!comment && !is_space(c)) {
+      return;
+    }
+    ++position_;
   }
-  return static_cast<unsigned char>(buffer_[position_++]);
 }
 
 std::string_view Lexer::next() {
-  token_.clear();
+  token_ = {};
+  skip_space();
   token_line_ = line_;
-  for (int c = get();; c = get()) {
-    if (c == '#') {
-      while (c != '\n' && c != kEnd) c = get();
-      if (c == '\n') ++line_;
-      if (c == kEnd || !token_.empty()) return token_;
-      token_line_ = line_;
-    } else if (c == kEnd) {
-      if (!token_.empty())
-        fail("the file ends directly after " + found() + "; white space must follow (cut short?)");
-      return token_;
-    } else if (is_space(c)) {
-      if (c == '\n') ++line_;
-      if (!token_.empty()) return token_;
-      token_line_ = line_;
-    } else {
-      if (c < 0x21 || c > 0x7E) {
-        char hex[16];
-        std::snprintf(hex, sizeof hex, "0x%02X", static_cast<unsigned>(c));
-        fail(std::string("byte ") + hex +
-             " is not allowed outside comments; only 0x21..0x7E and white space are");
-      }
-      if (token_.size() == kMaxTokenBytes) fail("token longer than 4096 bytes: " + found());
-      token_ += static_cast<char>(c);
+  std::size_t begin = position_;
+  for (;; ++position_) {
+    if (position_ == filled_) {
+      const bool more = refill(begin);
+      begin = 0;
+      if (!more) break;
+    }
+    if (!is_token_byte(buffer_[position_])) break;
+    if (position_ - begin == kMaxTokenBytes) {
+      token_ = {buffer_.data() + begin, kMaxTokenBytes};
+      fail("token longer than 4096 bytes: " + found());
     }
   }
+  token_ = {buffer_.data() + begin, position_ - begin};
+  if (position_ < filled_) {
+    const char c = buffer_[position_];
+    if (!is_space(c) && c != '#') {
+      char hex[16];
+      std::snprintf(hex, sizeof hex, "0x%02X", static_cast<unsigned>(static_cast<unsigned char>(c)));
+      fail(std::string("byte ") + hex +
+           " is not allowed outside comments; only 0x21..0x7E and white space are");
+    }
+  } else if (!token_.empty()) {
+    fail("the file ends directly after " + found() + "; white space must follow (cut short?)");
+  }
+  return token_;
 }
 
 void Lexer::expect(std::string_view word) {
@@ -103,7 +131,7 @@ void Lexer::fail(const std::string& reason) const {
 std::string Lexer::found() const {
   constexpr std::size_t kShown = 40;
   if (token_.empty()) return "the end of the file";
-  return "'" + token_.substr(0, kShown) + (token_.size() > kShown ? "...'" : "'");
+  return "'" + std::string(token_.substr(0, kShown)) + (token_.size() > kShown ? "...'" : "'");
 }
 
 std::string Lexer::location() const {

@@ -1,5 +1,6 @@
 // Tokens of both file formats, with their line numbers.
-// Invariants: memory is one buffer and one token, whatever the file.   Source: FORMAT.md, "Lexical rules".
+// Invariants: memory is one buffer, whatever the file; a token lies in it as one piece.
+// Source: FORMAT.md, "Lexical rules".
 #pragma once
 
 #include <cstdint>
@@ -39,11 +40,12 @@ class Lexer {
   [[nodiscard]] std::string location() const;
 
  private:
-  int get();
+  bool refill(std::size_t keep);
+  void skip_space();
 
   std::istream& in_;
   std::string file_;
-  std::string token_;
+  std::string_view token_;  // in buffer_
   std::vector<char> buffer_;
   std::size_t position_ = 0;
   std::size_t filled_ = 0;

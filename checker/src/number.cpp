@@ -1,8 +1,11 @@
 // NUMBER tokens: rationals, decimals and hexadecimals, read without rounding.
 // The grammar is checked by hand before GMP sees a digit: GMP would accept white space and other bases, and
 // it raises SIGFPE on a zero denominator.   Source: FORMAT.md, "Lexical rules".
+#include <numeric>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "lexer.hpp"
 
@@ -81,7 +84,36 @@ Rational parse_positional(std::string_view rest, const std::string& whole, int b
   return base == 16 ? scaled(mantissa, 2, exponent - 4 * places) : scaled(mantissa, 10, exponent - places);
 }
 
+/// Consumes a prefix of at most 18 digits: a value below 10^18, which a long holds. Nothing if there are
+/// none, or more.
+std::optional<long> take_small(std::string_view& rest) {
+  constexpr std::size_t kMostDigits = 18;
+  long value = 0;
+  std::size_t n = 0;
+  for (; n < rest.size() && is_digit(rest[n], 10); ++n) {
+    if (n == kMostDigits) return std::nullopt;
+    value = 10 * value + (rest[n] - '0');
+  }
+  if (n == 0) return std::nullopt;
+  rest.remove_prefix(n);
+  return value;
+}
+
+/// The most frequent numbers: rationals of short numerator and denominator. Nothing for all other tokens, bad
+/// ones too.
+std::optional<Rational> parse_small(std::string_view rest) {
+  const std::optional<long> numerator = take_small(rest);
+  if (!numerator) return std::nullopt;
+  if (rest.empty()) return Rational(*numerator);
+  if (!take(rest, '/', '/')) return std::nullopt;
+  const std::optional<long> denominator = take_small(rest);
+  if (!denominator || *denominator == 0 || !rest.empty()) return std::nullopt;
+  const long common = std::gcd(*numerator, *denominator);
+  return Rational(*numerator / common, *denominator / common);
+}
+
 Rational parse_magnitude(std::string_view rest) {
+  if (std::optional<Rational> small = parse_small(rest)) return *std::move(small);
   std::string_view after = rest;
   if (take(after, '0', '0') && take(after, 'x', 'X')) {
     const std::string hexadecimal = take_digits(after, 16);
@@ -104,7 +136,7 @@ Rational parse_magnitude(std::string_view rest) {
 Rational parse_number(std::string_view token) {
   const bool minus = take_minus(token);
   Rational value = parse_magnitude(token);
-  if (minus) value = -value;
+  if (minus) mpq_neg(value.get_mpq_t(), value.get_mpq_t());
   return value;
 }
 

@@ -1,7 +1,8 @@
 #include "orbits.hpp"
 
 #include <algorithm>
-#include <compare>
+#include <cstdlib>
+#include <map>
 #include <numeric>
 #include <utility>
 
@@ -54,49 +55,134 @@ Canonical canonical_point(const Group& group, const Integer& group_denominator, 
   return {std::move(best), group.invert(to_canonical)};
 }
 
+/// The same on machine integers over the denominator of the points.
+class FixedImages {
+ public:
+  /// Requires: |coordinates| <= most.
+  static std::optional<FixedImages> make(const Group& group, std::int64_t denominator, std::int64_t most) {
+    FixedImages images(denominator);
+    for (std::size_t r = 0; r < group.order(); ++r) {
+      const std::optional<FixedMap> map =
+          fixed_map(group, {static_cast<std::uint8_t>(r), {}}, denominator, most);
+      if (!map) return std::nullopt;
+      images.maps_.push_back(*map);
+    }
+    return images;
+  }
+
+  struct Least {
+    Vec<std::int64_t> point;
+    std::uint8_t rotation;
+    Vec<std::int64_t> shift;  // the canonical point is {I|shift} s_rotation * point
+  };
+  [[nodiscard]] Least least(const Vec<std::int64_t>& point) const {
+    Least best{};
+    for (std::size_t r = 0; r < maps_.size(); ++r) {
+      Vec<std::int64_t> image = maps_[r](point);
+      Vec<std::int64_t> shift{};
+      for (std::size_t i = 0; i < 3; ++i) {
+        std::int64_t floor = image[i] / denominator_;
+        if (image[i] % denominator_ < 0) --floor;
+        image[i] -= floor * denominator_;
+        shift[i] = -floor;
+      }
+      if (r == 0 || image < best.point) best = {image, static_cast<std::uint8_t>(r), shift};
+    }
+    return best;
+  }
+
+ private:
+  explicit FixedImages(std::int64_t denominator) : denominator_(denominator) {}
+  std::int64_t denominator_;
+  std::vector<FixedMap> maps_;
+};
+
+/// Sorts 0..n-1 by value and then by index; `before` and `equal` compare values. Returns for each the least
+/// index of the same value.
+template <class Before, class Equal>
+std::vector<std::uint32_t> leaders(std::size_t n, Before before, Equal equal) {
+  std::vector<std::uint32_t> order(n);
+  std::iota(order.begin(), order.end(), std::uint32_t{0});
+  std::sort(order.begin(), order.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return before(a, b) || (equal(a, b) && a < b); });
+  std::vector<std::uint32_t> leader(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    leader[order[k]] = k > 0 && equal(order[k - 1], order[k]) ? leader[order[k - 1]] : order[k];
+  }
+  return leader;
+}
+
+/// Fills all but the coordinates; calls keep(i) for the first point of each orbit.
+template <class Keep>
+void number_orbits(const std::vector<std::uint32_t>& leader, Orbits& orbits, Keep keep) {
+  for (std::size_t i = 0; i < leader.size(); ++i) {
+    if (leader[i] == i) {
+      orbits.of_point.push_back(make_id<OrbitId>(orbits.first_point.size()));
+      orbits.first_point.push_back(make_id<PointId>(i));
+      keep(i);
+    } else {
+      orbits.of_point.push_back(orbits.of_point[leader[i]]);  // the leader comes first
+    }
+  }
+}
+
+/// Makes the orbits in machine integers; false, with nothing done, if some number does not fit.
+bool make_fixed_orbits(const Instance& instance, ElementTable& table, Orbits& orbits) {
+  const Group& group = table.group();
+  std::optional<FixedPoints> points = fixed_points(instance, group);
+  if (!points) return false;
+  std::int64_t most = 0;
+  for (const Vec<std::int64_t>& x : points->numerator) {
+    for (const std::int64_t coordinate : x) most = std::max(most, std::abs(coordinate));
+  }
+  const std::optional<FixedImages> images = FixedImages::make(group, points->denominator, most);
+  if (!images) return false;
+  std::map<std::pair<std::uint8_t, Vec<std::int64_t>>, ElementId> frames;  // few are different
+  for (Vec<std::int64_t>& x : points->numerator) {
+    const FixedImages::Least least = images->least(x);
+    const auto [frame, inserted] = frames.try_emplace({least.rotation, least.shift}, kIdentity);
+    if (inserted) {
+      const Element to_canonical{least.rotation, {least.shift[0], least.shift[1], least.shift[2]}};
+      frame->second = table.intern(group.invert(to_canonical));
+    }
+    orbits.frame.push_back(frame->second);
+    x = least.point;
+  }
+  std::vector<Vec<std::int64_t>>& x = points->numerator;
+  const auto leader = leaders(
+      x.size(), [&](std::size_t a, std::size_t b) { return x[a] < x[b]; },
+      [&](std::size_t a, std::size_t b) { return x[a] == x[b]; });
+  std::size_t kept = 0;
+  number_orbits(leader, orbits, [&](std::size_t i) { x[kept++] = x[i]; });
+  x.resize(kept);
+  orbits.fixed = std::move(points);
+  return true;
+}
+
 }  // namespace
 
-Orbits make_orbits(const Instance& instance, ElementTable& table) {
+Orbits make_orbits(const Instance& instance, ElementTable& table, bool fixed_width) {
+  Orbits orbits;
+  if (fixed_width && make_fixed_orbits(instance, table, orbits)) return orbits;
   const Group& group = table.group();
   Integer group_denominator = 1;
   for (const Vec<Rational>& t : group.translation) {
     for (const Rational& x : t) group_denominator = lcm(group_denominator, x.get_den());
   }
-  const std::size_t n = instance.points.size();
-  std::vector<LatticePoint> points(n);
-  Orbits orbits;
-  orbits.of_point.resize(n);
-  orbits.frame.resize(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    Canonical canonical = canonical_point(group, group_denominator, instance.points[i]);
-    points[i] = std::move(canonical.point);
-    orbits.frame[i] = table.intern(canonical.to_point);
+  std::vector<LatticePoint> points;
+  for (const Vec<Rational>& point : instance.points) {
+    Canonical canonical = canonical_point(group, group_denominator, point);
+    points.push_back(std::move(canonical.point));
+    orbits.frame.push_back(table.intern(canonical.to_point));
   }
-
-  // Equal points are neighbours after sorting by value, then by index, so each run starts at its least index.
-  std::vector<std::size_t> order(n);
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  const auto equal = [&](std::size_t a, std::size_t b) {
-    return points[a].denominator == points[b].denominator && points[a].numerator == points[b].numerator;
+  const auto order = [&](std::size_t a, std::size_t b) {
+    const int c = cmp(points[a].denominator, points[b].denominator);
+    return c != 0 ? c : compare(points[a].numerator, points[b].numerator);
   };
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    int c = cmp(points[a].denominator, points[b].denominator);
-    if (c == 0) c = compare(points[a].numerator, points[b].numerator);
-    return c != 0 ? c < 0 : a < b;
-  });
-  std::vector<std::size_t> leader(n);
-  for (std::size_t k = 0; k < n; ++k) {
-    leader[order[k]] = k > 0 && equal(order[k - 1], order[k]) ? leader[order[k - 1]] : order[k];
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    if (leader[i] == i) {
-      orbits.of_point[i] = make_id<OrbitId>(orbits.canonical.size());
-      orbits.first_point.push_back(make_id<PointId>(i));
-      orbits.canonical.push_back(points[i]);
-    } else {
-      orbits.of_point[i] = orbits.of_point[leader[i]];  // the leader comes first
-    }
-  }
+  const auto leader = leaders(
+      points.size(), [&](std::size_t a, std::size_t b) { return order(a, b) < 0; },
+      [&](std::size_t a, std::size_t b) { return order(a, b) == 0; });
+  number_orbits(leader, orbits, [&](std::size_t i) { orbits.canonical.push_back(std::move(points[i])); });
   return orbits;
 }
 

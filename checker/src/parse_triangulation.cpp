@@ -4,6 +4,7 @@
 
 #include "flatdt/checker/errors.hpp"
 #include "flatdt/checker/input.hpp"
+#include "id_map.hpp"
 #include "lexer.hpp"
 #include "parse_element.hpp"
 
@@ -13,22 +14,28 @@ namespace {
 constexpr std::uint64_t kMaxElements = 100'000'000;
 constexpr std::uint64_t kMaxCells = 1'000'000'000;
 
-/// Stores each distinct number token once: elements repeat a few numbers very often.
+/// Stores each distinct number once: elements repeat a few numbers very often.
 class NumberPool {
  public:
   explicit NumberPool(std::vector<Rational>& numbers) : numbers_(numbers) {}
 
   std::uint32_t read(Lexer& lexer) {
     Rational value = lexer.number("an entry of an element");
-    const auto [position, inserted] =
-        index_.try_emplace(value.get_str(16), static_cast<std::uint32_t>(numbers_.size()));
-    if (inserted) numbers_.push_back(std::move(value));
-    return position->second;
+    const auto next = static_cast<std::uint32_t>(numbers_.size());
+    std::uint32_t number = next;
+    if (value.get_den() == 1 && value.get_num().fits_slong_p()) {
+      number = integers_.insert(static_cast<std::uint64_t>(value.get_num().get_si()), next);
+    } else {
+      number = others_.try_emplace(value.get_str(16), next).first->second;
+    }
+    if (number == next) numbers_.push_back(std::move(value));
+    return number;
   }
 
  private:
   std::vector<Rational>& numbers_;
-  std::map<std::string, std::uint32_t> index_;  // ordered: see ElementTable
+  IdMap integers_;  // by the two's complement
+  std::map<std::string, std::uint32_t> others_;
 };
 
 std::uint32_t parse_index(Lexer& lexer, const char* what, std::size_t size) {

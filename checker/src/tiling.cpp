@@ -1,7 +1,6 @@
 // The conditions that make the cells a tiling: vertices.complete, cells.nondegenerate, facets.paired,
 // facets.opposite, volume.exact.   Source: docs/soundness.md, section 3.
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include "context.hpp"
@@ -11,54 +10,14 @@
 namespace flatdt::checker {
 namespace {
 
-/// Adds fractions of equal denominator first and then in a balanced tree, so that the work is quasi-linear in
-/// the bits even when all denominators differ; a running sum would be quadratic. The tree keeps the order of
-/// arrival: cells that are neighbours in the file often share vertices, and then their denominators share
-/// factors.
-class FractionSum {
- public:
-  void add(const Integer& numerator, const Integer& denominator) {
-    if (last_ == terms_.size() || terms_[last_].denominator != denominator) {
-      const auto [position, inserted] = by_denominator_.try_emplace(denominator, terms_.size());
-      if (inserted) terms_.push_back({0, denominator});
-      last_ = position->second;
-    }
-    terms_[last_].numerator += numerator;
-  }
-
-  [[nodiscard]] Rational total() const {
-    std::vector<Rational> sums;
-    for (const Term& term : terms_) {
-      sums.emplace_back(term.numerator, term.denominator);
-      sums.back().canonicalize();
-    }
-    for (; sums.size() > 1; sums.resize((sums.size() + 1) / 2)) {
-      for (std::size_t i = 0; 2 * i < sums.size(); ++i) {
-        if (2 * i + 1 < sums.size()) {
-          sums[i] = sums[2 * i] + sums[2 * i + 1];
-        } else {
-          sums[i] = sums[2 * i];
-        }
-      }
-    }
-    return sums.empty() ? Rational(0) : sums.front();
-  }
-
- private:
-  struct Term {
-    Integer numerator;
-    Integer denominator;
-  };
-  std::vector<Term> terms_;
-  std::map<Integer, std::size_t> by_denominator_;
-  std::size_t last_ = 0;
-};
-
 Witness facet_witness(const Context& context, const Occurrence& o) {
+  const Cell& cell = context.complex.cells[index(o.cell)];
+  const Offsets& offset = context.complex.offsets(cell);
   return {{"cell", number_text(index(o.cell))},
           {"facet", number_text(o.facet)},
           {"cell-points", cell_text(context, o.cell)},
-          {"facet-vertices", face_text(context, o.key)}};
+          {"facet-vertices", face_text(context, key_of(cell, offset, facet_corners(context.complex, o),
+                                                       context.complex.corners - 1))}};
 }
 
 /// det[p_1 - p_0 .. p_d - p_0] with p_facet replaced by `apex`, in the instance's coordinates.
@@ -70,11 +29,9 @@ Rational orientation_with(int d, std::vector<Vec<Rational>> points, std::size_t 
   return determinant(d, rows);
 }
 
-void check_opposite(Context& context) {
+void check_opposite(const Context& context) {
   using enum ConditionName;
-  for (const FacetPair& pair : context.pairs) {
-    const Occurrence& a = context.occurrences[pair.first];
-    const Occurrence& b = context.occurrences[pair.second];
+  for (const auto& [a, b] : context.faces.pairs) {
     const Sign side = side_of(context, a);
     if (side == Sign::zero || side != side_of(context, b)) continue;
     Witness witness = facet_witness(context, a);
@@ -93,7 +50,7 @@ void check_opposite(Context& context) {
     context.fails(facets_opposite, std::move(witness));
     return;
   }
-  context.holds(facets_opposite, {{"facets", number_text(context.pairs.size())}});
+  context.holds(facets_opposite, {{"facets", number_text(context.faces.pairs.size())}});
 }
 
 }  // namespace
@@ -126,14 +83,12 @@ void check_vertices(const Context& context) {
 void check_cells(Context& context) {
   using enum ConditionName;
   const std::size_t n = context.complex.cells.size();
-  FractionSum sum;
+  VolumeSum sum = context.geometry.no_volume();
   context.orientation.resize(n);
   std::size_t degenerate = n;
   for (std::size_t c = 0; c < n; ++c) {
-    const Geometry::Fraction det = context.geometry.determinant(context.complex.cells[c]);
-    context.orientation[c] = sign_of(det.numerator);
+    context.orientation[c] = context.geometry.orientation(context.complex.cells[c], sum);
     if (context.orientation[c] == Sign::zero && degenerate == n) degenerate = c;
-    sum.add(abs(det.numerator), det.denominator);
   }
   if (degenerate == n) {
     context.holds(cells_nondegenerate, {{"cells", number_text(n)}});
@@ -158,42 +113,40 @@ void check_cells(Context& context) {
   }
 }
 
-void check_facets(Context& context) {
+void check_facets(const Context& context) {
   using enum ConditionName;
   const auto& cells = context.complex.cells;
-  context.occurrences = facet_occurrences(context.complex);
-  const std::vector<Occurrence>& all = context.occurrences;
-  bool paired = true;
-  for (std::size_t c = 0; c < cells.size() && paired; ++c) {
-    if (!has_repeated_vertex(cells[c], context.complex.corners)) continue;
-    paired = false;
+  const auto repeated = std::find_if(cells.begin(), cells.end(), [&](const Cell& cell) {
+    return has_repeated_vertex(context.complex, cell);
+  });
+  if (repeated != cells.end()) {
+    const auto c = static_cast<std::size_t>(repeated - cells.begin());
     context.fails(facets_paired, {{"reason", "cell-with-repeated-vertex"},
                                   {"cell", number_text(c)},
                                   {"cell-points", cell_text(context, make_id<CellId>(c))}});
+  } else if (context.faces.odd) {
+    Witness witness = facet_witness(context, context.faces.odd->first);
+    witness.emplace_back("occurrences", number_text(context.faces.odd->occurrences));
+    context.fails(facets_paired, std::move(witness));
+  } else {
+    context.holds(facets_paired, {{"facets", number_text(context.faces.pairs.size())}});
   }
-  for (std::size_t i = 0, end = 0; i < all.size(); i = end) {
-    while (end < all.size() && all[end].key == all[i].key) ++end;
-    if (end - i == 2) {
-      context.pairs.push_back({i, i + 1});
-    } else if (paired) {
-      paired = false;
-      Witness witness = facet_witness(context, all[i]);
-      witness.emplace_back("occurrences", number_text(end - i));
-      context.fails(facets_paired, std::move(witness));
-    }
-  }
-  if (paired) context.holds(facets_paired, {{"facets", number_text(context.pairs.size())}});
   check_opposite(context);
 }
 
 // Moving the normalised cell by offset[0][base]^-1 multiplies its orientation by the determinant of the
 // linear part.
+Sign orientation_in_frame(const Context& context, CellId cell, std::size_t base) {
+  const Sign orientation = context.orientation[index(cell)];
+  return context.complex.reverses(context.complex.cells[index(cell)], base) ? opposite(orientation)
+                                                                            : orientation;
+}
+
+// In the order of the cell's corners the orientation is that of the moved cell; bringing (facet, apex) into
+// that order has the occurrence's parity.
 Sign side_of(const Context& context, const Occurrence& occurrence) {
-  const Cell& cell = context.complex.cells[index(occurrence.cell)];
-  const Sign orientation = context.orientation[index(occurrence.cell)];
-  const std::uint8_t rotation = context.table[cell.offset[0][occurrence.base]].rotation;
-  const bool reverses = context.group.reversing[rotation];
-  return (occurrence.parity < 0) == reverses ? orientation : opposite(orientation);
+  const Sign orientation = orientation_in_frame(context, occurrence.cell, occurrence.base);
+  return occurrence.parity < 0 ? opposite(orientation) : orientation;
 }
 
 }  // namespace flatdt::checker

@@ -1,29 +1,41 @@
-// Disjoint sets with the number of sets.
+// Disjoint sets with the number of sets, by rank and path halving.
 #pragma once
 
-#include <boost/pending/disjoint_sets.hpp>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace flatdt::checker {
 
 class UnionFind {
  public:
-  explicit UnionFind(std::size_t size)
-      : parent_(size), rank_(size), sets_(rank_.data(), parent_.data()), count_(size) {
+  explicit UnionFind(std::size_t size) { reset(size); }
+
+  /// `size` sets of one.
+  void reset(std::size_t size) {
+    parent_.resize(size);
     std::iota(parent_.begin(), parent_.end(), std::uint32_t{0});
+    rank_.assign(size, 0);
+    count_ = size;
   }
-  UnionFind(const UnionFind&) = delete;
-  UnionFind& operator=(const UnionFind&) = delete;
+
+  /// The representative of the set of a.
+  std::uint32_t find(std::size_t a) {
+    auto x = static_cast<std::uint32_t>(a);
+    while (parent_[x] != x) x = parent_[x] = parent_[parent_[x]];
+    return x;
+  }
 
   /// Joins the sets of a and b; whether they were different.
   bool join(std::size_t a, std::size_t b) {
-    const std::uint32_t root_a = sets_.find_set(static_cast<std::uint32_t>(a));
-    const std::uint32_t root_b = sets_.find_set(static_cast<std::uint32_t>(b));
-    if (root_a == root_b) return false;
-    sets_.link(root_a, root_b);
+    std::uint32_t low = find(a);
+    std::uint32_t high = find(b);
+    if (low == high) return false;
+    if (rank_[high] < rank_[low]) std::swap(low, high);
+    if (rank_[high] == rank_[low]) ++rank_[high];
+    parent_[low] = high;
     --count_;
     return true;
   }
@@ -31,9 +43,8 @@ class UnionFind {
 
  private:
   std::vector<std::uint32_t> parent_;
-  std::vector<std::uint32_t> rank_;
-  boost::disjoint_sets<std::uint32_t*, std::uint32_t*> sets_;
-  std::size_t count_;
+  std::vector<std::uint8_t> rank_;  // at most 32
+  std::size_t count_ = 0;
 };
 
 }  // namespace flatdt::checker

@@ -63,7 +63,7 @@ ElementId file_gluing(const Context& context, const Occurrence& a, const Occurre
   ElementTable& table = context.table;
   const auto to_file = [&](const Occurrence& o) {
     const Cell& cell = context.complex.cells[index(o.cell)];
-    return table.product(cell.anchor, cell.offset[0][o.base]);
+    return table.product(cell.anchor, context.complex.offsets(cell)[0][o.base]);
   };
   return table.product(to_file(a), table.inverse(to_file(b)));
 }

@@ -1,5 +1,4 @@
-// The two stages of the insphere test: the filter is certain or silent, on inputs built to sit on the
-// boundary.
+// The stages of the insphere test: each is certain or silent, on inputs built to sit on the boundary.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,7 +12,8 @@
 namespace flatdt::checker::test {
 namespace {
 
-/// The machinery for one instance whose points are the vertices of its cells, in the trivial frame.
+/// The machinery for one instance whose points are the vertices of its cells, in the trivial frame; once with
+/// machine integers where they fit, once without.
 struct Fixture {
   explicit Fixture(const std::string& instance_text)
       : instance(read_instance(instance_text)),
@@ -23,7 +23,9 @@ struct Fixture {
         subgroup(std::get<Subgroup>(Subgroup::make(group, nullptr))),
         orbits(make_orbits(instance, table)),
         complex(make_complex(triangulation(), {kIdentity}, orbits, subgroup, table)),
-        geometry(complex, orbits, table, instance.metric) {}
+        offsets(make_offsets()),
+        geometry(complex, orbits, table, instance.metric),
+        general(complex, orbits, table, instance.metric, Stages{.filter = true, .fixed_width = false}) {}
 
   [[nodiscard]] Triangulation triangulation() const {
     Triangulation t;
@@ -34,13 +36,27 @@ struct Fixture {
     return t;
   }
 
+  /// All elements that move by at most one lattice vector in each direction.
+  [[nodiscard]] std::vector<ElementId> make_offsets() {
+    std::vector<ElementId> ids;
+    for (std::size_t r = 0; r < group.order(); ++r) {
+      for (int k = 0; k < (instance.dimension == 2 ? 9 : 27); ++k) {
+        ids.push_back(table.intern({static_cast<std::uint8_t>(r),
+                                    {k % 3 - 1, k / 3 % 3 - 1, instance.dimension == 2 ? 0 : k / 9 - 1}}));
+      }
+    }
+    return ids;
+  }
+
   Instance instance;
   Group group;
   ElementTable table;
   Subgroup subgroup;
   Orbits orbits;
   Complex complex;
+  std::vector<ElementId> offsets;
   Geometry geometry;
+  Geometry general;
 };
 
 /// Insphere by rationals: the same formula, expanded along the last column.
@@ -50,7 +66,7 @@ Sign slow_insphere(const Fixture& f, const Cell& cell, VertexId v, ElementId off
   const Vec<Rational> q = f.geometry.point(v, offset);
   std::array<Vec<Rational>, 4> p;
   for (std::size_t k = 0; k <= n; ++k)
-    p[k] = subtract(f.geometry.point(cell.vertex[k], cell.offset[0][k]), q);
+    p[k] = subtract(f.geometry.point(cell.vertex[k], f.complex.offsets(cell)[0][k]), q);
   const Mat<Rational> gram =
       multiply(d, transpose(f.group.basis), multiply(d, f.instance.metric, f.group.basis));
   Rational value = 0;
@@ -73,26 +89,49 @@ struct Tally {
   int decided = 0;
   int silent = 0;
   int zero = 0;
+  int fixed = 0;
 };
 
+Sign orientation_of(const Fixture& f, Geometry& geometry, const Cell& cell, Rational& volume) {
+  VolumeSum sum = geometry.no_volume();
+  const Sign sign = geometry.orientation(cell, sum);
+  volume = sum.total();
+  EXPECT_EQ(sign == Sign::zero, volume == 0) << f.instance.dimension;
+  return sign;
+}
+
+/// All stages against rationals; the tally is of the floating-point stage that the input has.
 void compare(Fixture& f, Tally& tally, std::mt19937& random, int rounds) {
   for (int round = 0; round < rounds; ++round) {
     const Cell& cell = f.complex.cells[random() % f.complex.cells.size()];
-    const Sign orientation = sign_of(f.geometry.determinant(cell).numerator);
+    Rational volume;
+    Rational general_volume;
+    const Sign orientation = orientation_of(f, f.geometry, cell, volume);
+    EXPECT_EQ(orientation, orientation_of(f, f.general, cell, general_volume));
+    EXPECT_EQ(volume, general_volume);
     if (orientation == Sign::zero) continue;
-    const VertexId v = make_id<VertexId>(random() % f.complex.vertices.size());
-    Element e{static_cast<std::uint8_t>(random() % f.group.order()), {}};
-    for (std::size_t i = 0; i < static_cast<std::size_t>(f.group.dimension); ++i) {
-      e.shift[i] = static_cast<long>(random() % 3) - 1;
+    const Lift q{make_id<VertexId>(random() % f.complex.vertices.size()),
+                 f.offsets[random() % f.offsets.size()]};
+    const Sign exact = slow_insphere(f, cell, q.vertex, q.offset);
+    const std::array<Lift, 5> points = f.geometry.lifts(cell, 0, q);
+    EXPECT_EQ(exact, f.geometry.insphere_exact(points, orientation));
+    EXPECT_EQ(exact, f.general.insphere_exact(points, orientation));
+    EXPECT_EQ(exact, f.geometry.insphere(cell, 0, orientation, q));
+    EXPECT_EQ(exact, f.general.insphere(cell, 0, orientation, q));
+    const std::optional<Sign> balls = f.general.insphere_balls(points, orientation);
+    EXPECT_EQ(balls.value_or(exact), exact);
+    std::optional<Sign> filtered = balls;
+    const std::optional<FixedGeometry>& fixed = f.geometry.fixed();
+    const std::optional<Sign> limbs =
+        fixed ? fixed->insphere(points, orientation, FixedStage::limbs) : std::nullopt;
+    if (limbs) {  // else a lift does not fit
+      EXPECT_EQ(*limbs, exact);
+      filtered = fixed->insphere(points, orientation, FixedStage::doubles);
+      EXPECT_EQ(filtered.value_or(exact), exact);
+      ++tally.fixed;
     }
-    const ElementId offset = f.table.intern(e);
-    const Sign exact = f.geometry.insphere_exact(cell, orientation, v, offset);
-    EXPECT_EQ(exact, slow_insphere(f, cell, v, offset));
-    EXPECT_EQ(exact, f.geometry.insphere(cell, orientation, v, offset));
-    const std::optional<Sign> filtered = f.geometry.insphere_filter(cell, orientation, v, offset);
     tally.zero += exact == Sign::zero ? 1 : 0;
     (filtered ? tally.decided : tally.silent)++;
-    EXPECT_EQ(filtered.value_or(exact), exact);
   }
 }
 
@@ -106,6 +145,7 @@ TEST(Filter, AgreesOnGenericPoints) {
     compare(f, tally, random, 300);
   }
   EXPECT_GT(tally.decided, 10 * tally.silent);
+  EXPECT_GT(tally.fixed, 300);
 }
 
 TEST(Filter, AgreesOnNearlyCosphericalPoints) {
@@ -133,6 +173,7 @@ TEST(Filter, AgreesOnNearlyCosphericalPoints) {
   EXPECT_GT(tally.zero, 20);
   EXPECT_GT(tally.silent, 50);
   EXPECT_GT(tally.decided, 50);
+  EXPECT_GT(tally.fixed, 300);
 }
 
 TEST(Filter, SilentOnOverflowAndUnderflow) {

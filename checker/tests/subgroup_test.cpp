@@ -148,20 +148,25 @@ TEST(Orbits, PointsOfOneOrbitAreOnePoint) {
       "flatdt-instance 1 dimension 2 manifold klein-bottle points 6 1/3 1/5 2/3 7/10 1/3 1/7 7/3 -9/5 -1/3 "
       "-3/10 1/3 6/7 ");
   const Group group = named_group("klein-bottle", 2);
-  ElementTable table(group);
-  const Orbits orbits = make_orbits(instance, table);
-  EXPECT_EQ(orbits.count(), 3U);
-  EXPECT_EQ(orbits.of_point,
-            (std::vector{OrbitId{0}, OrbitId{0}, OrbitId{1}, OrbitId{0}, OrbitId{0}, OrbitId{2}}));
-  EXPECT_EQ(orbits.first_point[2], PointId{5});
-  for (std::size_t i = 0; i < 6; ++i) {  // point = frame * canonical
-    const LatticePoint& c = orbits.canonical[index(orbits.of_point[i])];
-    Vec<Rational> x;
-    for (std::size_t k = 0; k < 2; ++k) {
-      x[k] = Rational(c.numerator[k], c.denominator);
-      x[k].canonicalize();
+  for (const bool fixed_width : {true, false}) {
+    ElementTable table(group);
+    const Orbits orbits = make_orbits(instance, table, fixed_width);
+    EXPECT_EQ(orbits.fixed.has_value(), fixed_width);
+    EXPECT_EQ(orbits.count(), 3U);
+    EXPECT_EQ(orbits.of_point,
+              (std::vector{OrbitId{0}, OrbitId{0}, OrbitId{1}, OrbitId{0}, OrbitId{0}, OrbitId{2}}));
+    EXPECT_EQ(orbits.first_point[2], PointId{5});
+    for (std::size_t i = 0; i < 6; ++i) {  // point = frame * canonical
+      const std::size_t orbit = index(orbits.of_point[i]);
+      Vec<Rational> x;
+      for (std::size_t k = 0; k < 2; ++k) {
+        x[k] = fixed_width
+                   ? Rational(orbits.fixed->numerator[orbit][k], orbits.fixed->denominator)
+                   : Rational(orbits.canonical[orbit].numerator[k], orbits.canonical[orbit].denominator);
+        x[k].canonicalize();
+      }
+      EXPECT_EQ(apply(2, group.outer_seitz(table[orbits.frame[i]]), x), instance.points[i]);
     }
-    EXPECT_EQ(apply(2, group.outer_seitz(table[orbits.frame[i]]), x), instance.points[i]);
   }
 }
 

@@ -168,13 +168,13 @@ bool recompute_cells(Specimen& specimen, Random& random) {
   try {
     const ref::Instance instance = instance_of(specimen);
     if (!ref::is_positive_definite(instance.gram)) return false;
-    const auto analysis = analysed(instance);
+    const auto group = prepared(instance);
     // A cover has 3^d sheets for each linear part at most, with about 2 or 7 cells for each point.
-    const std::size_t cells = instance.points.size() * static_cast<std::size_t>(analysis->holonomy_order) *
+    const std::size_t cells = instance.points.size() * group->frame().cosets.size() *
                               (instance.dimension == 2 ? 9U * 2U : 27U * 7U);
     const bool of_cover = cells <= kMaxCells && random.one_in(2);
-    return set_triangulation(specimen, of_cover ? ref::triangulate(instance, *analysis, {}).triangulation
-                                                : quotient(instance, *analysis).triangulation);
+    return set_triangulation(specimen, of_cover ? ref::triangulate(instance, *group, {}).triangulation
+                                                : quotient(instance, *group).triangulation);
   } catch (const ref::InvalidInput&) {
     return false;
   } catch (const ref::LimitReached&) {

@@ -4,11 +4,13 @@
 
 #include <memory>
 
-#include "flatdt/ref/group_analysis.hpp"
+#include "flatdt/ref/instance.hpp"
+#include "flatdt/ref/prepared_group.hpp"
 
 namespace flatdt::fuzz {
 
-/// What ref::analyse says of the instance; kept for the last groups that were admissible. Errors: as there.
-[[nodiscard]] std::shared_ptr<const ref::GroupAnalysis> analysed(const ref::Instance& instance);
+/// The group of the instance, kept for the last groups that were admissible. Errors: as ref::analyse, and as
+/// ref::PreparedGroup.
+[[nodiscard]] std::shared_ptr<const ref::PreparedGroup> prepared(const ref::Instance& instance);
 
 }  // namespace flatdt::fuzz

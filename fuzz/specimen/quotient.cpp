@@ -1,7 +1,7 @@
 #include "quotient.hpp"
 
+#include <algorithm>
 #include <map>
-#include <optional>
 
 #include "flatdt/ref/delaunay_hierarchy.hpp"
 #include "flatdt/ref/skeleton_cycles.hpp"
@@ -17,39 +17,29 @@ using ref::SiteId;
 /// Elements of the frame's group applied to sites, as elements of the instance's group applied to its points.
 class InstanceElements {
  public:
-  InstanceElements(const ref::Frame& frame, const ref::GroupTable& table, const std::vector<ref::Site>& sites)
-      : table_(table),
-        to_instance_{frame.basis, frame.origin},
-        to_frame_(to_instance_.inverse()),
-        untranslated_(sites.size() * static_cast<std::size_t>(table.cosets())) {
-    for (const ref::Site& site : sites) point_to_site_.push_back(site.from_site.inverse() * to_frame_);
-  }
+  InstanceElements(const ref::PreparedGroup& group, const std::vector<ref::Site>& sites)
+      : group_(group), sites_(sites), to_frame_(group.to_instance().inverse()) {}
 
-  [[nodiscard]] Isometry conjugate(const Isometry& g) const { return to_instance_ * g * to_frame_; }
+  [[nodiscard]] Isometry conjugate(const Isometry& g) const { return group_.to_instance() * g * to_frame_; }
 
-  /// The element e with e * points[site.point] = p. A translation only adds vectors of the basis to what is
-  /// the same for all points of one coset.
-  [[nodiscard]] Isometry at(const OrbitPoint& p) {
-    const std::size_t site = index_of(p.site);
-    std::optional<Isometry>& base =
-        untranslated_[site * static_cast<std::size_t>(table_.cosets()) + p.g.coset];
-    if (!base) base = to_instance_ * table_.isometry(Element{{}, p.g.coset}) * point_to_site_[site];
-    Isometry element = *base;
-    for (int j = 0; j < table_.dimension(); ++j) {
-      const long t = p.g.t[static_cast<std::size_t>(j)];
-      if (t == 0) continue;
-      for (int i = 0; i < table_.dimension(); ++i)
-        element.translation[i] += ref::Rational(t) * to_instance_.linear(i, j);
-    }
-    return element;
+  /// The element e with e * points[site.point] = p.
+  [[nodiscard]] Isometry at(const OrbitPoint& p) const {
+    const ref::Site& site = sites_[index_of(p.site)];
+    constexpr std::int32_t kSmall = 1000;
+    const bool is_small =
+        !site.large && std::all_of(site.translation.begin(), site.translation.end(),
+                                   [](std::int32_t t) { return -kSmall < t && t < kSmall; });
+    if (!is_small) return conjugate(group_.table().isometry(p.g) * site.from_site(group_.frame()).inverse());
+    Element from_site{{}, site.coset};
+    for (std::size_t i = 0; i < 3; ++i) from_site.t[i] = static_cast<std::int16_t>(site.translation[i]);
+    const Element g = group_.table().multiply(p.g, group_.table().inverse(from_site));
+    return group_.in_instance(g.coset, {g.t[0], g.t[1], g.t[2]});
   }
 
  private:
-  const ref::GroupTable& table_;
-  Isometry to_instance_;
+  const ref::PreparedGroup& group_;
+  const std::vector<ref::Site>& sites_;
   Isometry to_frame_;
-  std::vector<Isometry> point_to_site_;
-  std::vector<std::optional<Isometry>> untranslated_;
 };
 
 /// Generators of H, which holds all translations: these and an element of each coset.
@@ -78,10 +68,12 @@ std::uint32_t number_of(const Isometry& element, std::map<Isometry, std::uint32_
 }
 
 template <int D>
-Quotient computed(const ref::Instance& instance, const ref::Frame& frame, const QuotientOptions& options) {
-  const ref::GroupTable table(frame);
+Quotient computed(const ref::Instance& instance, const ref::PreparedGroup& group,
+                  const QuotientOptions& options) {
+  const ref::Frame& frame = group.frame();
+  const ref::GroupTable& table = group.table();
   const std::vector<ref::Site> sites = ref::make_sites(frame, instance.points);
-  const ref::TieOrder order(frame, table);
+  const ref::TieOrder& order = group.order();
   const ref::Subgroup& subgroup = order.invariance_group();
   ref::Predicates<D> predicates(frame, table, sites, order, options.stages);
   ref::Circumradius<D> circumradius(frame, predicates);
@@ -96,7 +88,7 @@ Quotient computed(const ref::Instance& instance, const ref::Frame& frame, const 
   Quotient result;
   if (subgroup.is_whole()) result.simplicial = !ref::find_short_cycle<D>(table, *cells);
   result.triangulation.dimension = D;
-  InstanceElements elements(frame, table, sites);
+  const InstanceElements elements(group, sites);
   set_subgroup(subgroup, table, elements, result.triangulation);
   std::map<OrbitPoint, std::uint32_t> known;
   std::map<Isometry, std::uint32_t> numbers;
@@ -114,10 +106,10 @@ Quotient computed(const ref::Instance& instance, const ref::Frame& frame, const 
 
 }  // namespace
 
-Quotient quotient(const ref::Instance& instance, const ref::GroupAnalysis& analysis,
+Quotient quotient(const ref::Instance& instance, const ref::PreparedGroup& group,
                   const QuotientOptions& options) {
-  if (instance.dimension == 2) return computed<2>(instance, analysis.frame, options);
-  return computed<3>(instance, analysis.frame, options);
+  if (instance.dimension == 2) return computed<2>(instance, group, options);
+  return computed<3>(instance, group, options);
 }
 
 }  // namespace flatdt::fuzz

@@ -5,9 +5,9 @@
 
 #include <optional>
 
-#include "flatdt/ref/group_analysis.hpp"
 #include "flatdt/ref/instance.hpp"
 #include "flatdt/ref/periodic_delaunay.hpp"
+#include "flatdt/ref/prepared_group.hpp"
 #include "flatdt/ref/triangulation_format.hpp"
 
 namespace flatdt::fuzz {
@@ -29,8 +29,8 @@ struct QuotientOptions {
   std::size_t region_limit = ref::kRegionLimit;
 };
 
-/// Requires: analysis is that of the instance. Errors: LimitReached. Law: the options change nothing.
-[[nodiscard]] Quotient quotient(const ref::Instance& instance, const ref::GroupAnalysis& analysis,
+/// Requires: group is that of the instance. Errors: LimitReached. Law: the options change nothing.
+[[nodiscard]] Quotient quotient(const ref::Instance& instance, const ref::PreparedGroup& group,
                                 const QuotientOptions& options = {});
 
 }  // namespace flatdt::fuzz

@@ -75,8 +75,7 @@ class Comparison {
   ref::Vector position(const OrbitPoint& p) const {
     const ref::Site& site = sites_[index_of(p.site)];
     ref::Vector x(D);
-    for (int i = 0; i < D; ++i)
-      x[i] = {ref::Integer(site.numerators[static_cast<std::size_t>(i)]), ref::Integer(site.denominator)};
+    for (int i = 0; i < D; ++i) x[i] = ref::Rational(site.numerator(i), site.denominator());
     return table_.isometry(p.g) * x;
   }
 
@@ -123,11 +122,11 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const Specimen specimen = decode({data, size}, kShape);
   const flatdt::ref::Instance instance = instance_of(specimen);
   try {
-    const auto analysis = analysed(instance);
+    const auto group = prepared(instance);
     if (instance.dimension == 2) {
-      Comparison<2>(analysis->frame, instance.points)(specimen.queries);
+      Comparison<2>(group->frame(), instance.points)(specimen.queries);
     } else {
-      Comparison<3>(analysis->frame, instance.points)(specimen.queries);
+      Comparison<3>(group->frame(), instance.points)(specimen.queries);
     }
   } catch (const flatdt::ref::InvalidInput&) {
   } catch (const flatdt::ref::LimitReached&) {

@@ -28,9 +28,8 @@ constexpr long kMaxCopiesInPlane = 200;
 constexpr long kMaxCopiesInSpace = 80;
 
 /// Copies of points that the written answer has at most: 3^d sheets for each linear part.
-std::uint64_t most_copies(const ref::Instance& instance, const ref::GroupAnalysis& analysis) {
-  return instance.points.size() * static_cast<std::uint64_t>(analysis.holonomy_order) *
-         (instance.dimension == 2 ? 9U : 27U);
+std::uint64_t most_copies(const ref::Instance& instance, const ref::PreparedGroup& group) {
+  return instance.points.size() * group.frame().cosets.size() * (instance.dimension == 2 ? 9U : 27U);
 }
 
 /// The cells modulo H tile space and are Delaunay; loops and 2-cycles are there where ref says so. All that
@@ -53,18 +52,18 @@ void expect_delaunay_tiling(const Quotient& quotient, const checker::Verdict& ve
   }
 }
 
-std::string triangulated(const ref::Instance& instance, const ref::GroupAnalysis& analysis,
+std::string triangulated(const ref::Instance& instance, const ref::PreparedGroup& group,
                          const ref::TriangulationOptions& options) {
-  const ref::TriangulationResult result = ref::triangulate(instance, analysis, options);
+  const ref::TriangulationResult result = ref::triangulate(instance, group, options);
   return ref::write_triangulation(result.triangulation, ref::describe(result));
 }
 
 /// The file that the program would write, with other choices inside than those of `quotient`.
-void expect_verified(const ref::Instance& instance, const ref::GroupAnalysis& analysis,
-                     const Quotient& quotient, const checker::Instance& read) {
+void expect_verified(const ref::Instance& instance, const ref::PreparedGroup& group, const Quotient& quotient,
+                     const checker::Instance& read) {
   ref::TriangulationOptions options;
   options.order_seed = 1 + quotient.triangulation.cells.size();
-  const ref::TriangulationResult result = ref::triangulate(instance, analysis, options);
+  const ref::TriangulationResult result = ref::triangulate(instance, group, options);
   if (quotient.simplicial)
     expect(result.reason.has_value() != *quotient.simplicial,
            "a cover is written where the manifold has loops or 2-cycles");
@@ -75,17 +74,17 @@ void expect_verified(const ref::Instance& instance, const ref::GroupAnalysis& an
     expect(verdict->outcome == checker::Outcome::verified, "what ref writes is VERIFIED");
 }
 
-void expect_one_answer_of_both_engines(const ref::Instance& instance, const ref::GroupAnalysis& analysis) {
+void expect_one_answer_of_both_engines(const ref::Instance& instance, const ref::PreparedGroup& group) {
   ref::TriangulationOptions options = {.insertion = ref::Insertion::covering};
   options.max_sheets = (instance.dimension == 2 ? kMaxCopiesInPlane : kMaxCopiesInSpace) /
                        static_cast<long>(instance.points.size());
   std::string covering;
   try {
-    covering = triangulated(instance, analysis, options);
+    covering = triangulated(instance, group, options);
   } catch (const ref::LimitReached&) {
     return;
   }
-  expect(covering == triangulated(instance, analysis, {}), "both engines give the same answer");
+  expect(covering == triangulated(instance, group, {}), "both engines give the same answer");
 }
 
 std::string text_of(const Quotient& quotient) {
@@ -93,26 +92,26 @@ std::string text_of(const Quotient& quotient) {
 }
 
 void expect_laws(std::span<const std::uint8_t> bytes, const ref::Instance& instance,
-                 const ref::GroupAnalysis& analysis) {
-  const Quotient found = quotient(instance, analysis);
+                 const ref::PreparedGroup& group) {
+  const Quotient found = quotient(instance, group);
   const auto read = read_instance(ref::write_instance(instance));
   expect(read.has_value(), "the checker reads what ref reads");
   if (const auto verdict = judge(*read, for_checker(found.triangulation)))
     expect_delaunay_tiling(found, *verdict);
 
   if (is_asked(bytes, kChoices, 4))
-    expect(text_of(quotient(instance, analysis,
+    expect(text_of(quotient(instance, group,
                             {.first = found.triangulation.cells.size(),
                              .stages = ref::PredicateStages::exact_only})) == text_of(found),
            "the triangulation depends neither on the insertion order nor on the filter");
   // The form for long lattices works with rationals: in space it is for few points only.
   if ((instance.dimension == 2 || instance.points.size() <= 2) && is_asked(bytes, kLongLattice, 8))
-    expect(text_of(quotient(instance, analysis, {.region_limit = 0})) == text_of(found),
+    expect(text_of(quotient(instance, group, {.region_limit = 0})) == text_of(found),
            "the triangulation does not depend on how a star is found");
   // The dearer the answer may be, the seldomer: so that each input costs about as much.
-  const std::uint64_t dearness = 1 + most_copies(instance, analysis) / 8;
-  if (is_asked(bytes, kAnswer, dearness)) expect_verified(instance, analysis, found, *read);
-  if (is_asked(bytes, kCovering, 4 * dearness)) expect_one_answer_of_both_engines(instance, analysis);
+  const std::uint64_t dearness = 1 + most_copies(instance, group) / 8;
+  if (is_asked(bytes, kAnswer, dearness)) expect_verified(instance, group, found, *read);
+  if (is_asked(bytes, kCovering, 4 * dearness)) expect_one_answer_of_both_engines(instance, group);
 }
 
 }  // namespace
@@ -122,7 +121,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace flatdt;
   const ref::Instance instance = fuzz::instance_of(fuzz::decode({data, size}, fuzz::kShape));
   try {
-    fuzz::expect_laws({data, size}, instance, *fuzz::analysed(instance));
+    fuzz::expect_laws({data, size}, instance, *fuzz::prepared(instance));
   } catch (const ref::InvalidInput&) {  // the target `group` looks at these
   } catch (const ref::LimitReached&) {
   }

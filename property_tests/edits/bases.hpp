@@ -26,7 +26,8 @@ struct Recipe {
 /// The recipes of one round; quick: those of little cost.
 [[nodiscard]] std::vector<Recipe> recipes(bool quick, std::size_t round, std::uint64_t seed);
 
-/// Nothing if no small subgroup was found for the form.  Errors: those of ref.
+/// Nothing if no small subgroup was found for the form, or if what ref wrote has more than 1,600 cells.
+/// Errors: those of ref.
 [[nodiscard]] std::optional<Base> make_base(const Recipe& recipe);
 
 /// The valid pairs of a folder, by name, of at most `most_cells` cells.

@@ -83,14 +83,17 @@ bool is_invariant(const Base& base, const ref::Matrix& gram) {
 
 /// An entry of the Gram matrix changed, so that some generator is no isometry.
 std::optional<Files> metric_not_invariant(const Base& base, Random& random, const Rational& by) {
-  Draft draft(base);
-  ref::Matrix& gram = draft.instance().gram;
-  const int i = random.between(0, base.dimension() - 1);
-  const int j = random.between(0, base.dimension() - 1);
-  gram(i, j) += by;
-  if (i != j) gram(j, i) += by;
-  if (!ref::is_positive_definite(gram) || is_invariant(base, gram)) return std::nullopt;
-  return draft.files();
+  const auto d = static_cast<std::size_t>(base.dimension());
+  for (const std::size_t entry : random.order(d * d)) {
+    const int i = static_cast<int>(entry / d);
+    const int j = static_cast<int>(entry % d);
+    Draft draft(base);
+    ref::Matrix& gram = draft.instance().gram;
+    gram(i, j) += by;
+    if (i != j) gram(j, i) += by;
+    if (ref::is_positive_definite(gram) && !is_invariant(base, gram)) return draft.files();
+  }
+  return std::nullopt;
 }
 
 std::optional<Files> metric_off(const Base& base, Random& random) {

@@ -29,9 +29,9 @@ std::vector<FileCell> cone(const FileCell& cell, FileVertex apex, std::size_t co
 /// the facets of the cell decide.
 std::optional<Files> split_at_new_point(const Base& base, Random& random, bool in_a_ball) {
   std::vector<std::size_t> order = random.order(base.cell_count());
-  order.resize(std::min<std::size_t>(order.size(), 20));
+  order.resize(std::min<std::size_t>(order.size(), 60));
   for (const std::size_t c : order) {
-    for (int attempt = 0; attempt < 4; ++attempt) {
+    for (int attempt = 0; attempt < 12; ++attempt) {
       Rational sum;
       Vector point(base.dimension());
       for (const Vector& v : base.cell(c)) {

@@ -60,13 +60,25 @@ Case unfolded(const Case& c, const std::vector<FileCell>& modulo_g, const std::v
   return draft.data();
 }
 
+/// The group of the space that is triangulated.
+CrystalGroup group_of_space(const Case& c) {
+  return {c.instance.gram, c.triangulation.has_subgroup ? c.triangulation.subgroup : c.instance.generators};
+}
+
 }  // namespace
+
+std::optional<Case> over_subgroup(const Case& valid, const std::vector<Isometry>& generators) {
+  const CrystalGroup g(valid.instance.gram, valid.instance.generators);
+  const std::optional<std::vector<FileCell>> cells = cells_modulo(valid, g, group_of_space(valid));
+  if (!cells) return std::nullopt;
+  const CrystalGroup h(valid.instance.gram, generators);
+  Case found = unfolded(valid, *cells, g.right_cosets(h), generators);
+  return is_simplicial(found, h) ? std::optional(std::move(found)) : std::nullopt;
+}
 
 std::optional<Case> over_small_subgroup(const Case& valid, Random& random) {
   const CrystalGroup g(valid.instance.gram, valid.instance.generators);
-  const CrystalGroup h(valid.instance.gram, valid.triangulation.has_subgroup ? valid.triangulation.subgroup
-                                                                             : valid.instance.generators);
-  const std::optional<std::vector<FileCell>> cells = cells_modulo(valid, g, h);
+  const std::optional<std::vector<FileCell>> cells = cells_modulo(valid, g, group_of_space(valid));
   if (!cells) return std::nullopt;
   std::vector<std::pair<std::size_t, std::vector<Isometry>>> candidates;
   for (std::size_t count = 0; count < kCandidates; ++count) {

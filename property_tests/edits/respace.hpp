@@ -14,6 +14,11 @@ namespace flatdt::edits {
 /// two have the same ends (Theorem 7 and its converse, docs/theory.md).
 [[nodiscard]] std::optional<Case> over_small_subgroup(const Case& valid, Random& random);
 
+/// The same over a given subgroup; nothing if the cells of E^d are not invariant under G or if the subgroup
+/// does not carry them. Requires: a subgroup of finite index of the group of the space.
+[[nodiscard]] std::optional<Case> over_subgroup(const Case& valid,
+                                                const std::vector<ref::Isometry>& generators);
+
 /// E^d/H as a manifold of its own: the instance's group is H, and its points are those of GP modulo H.
 /// Requires: points in different orbits of G.
 [[nodiscard]] Case as_manifold(const Case& valid);

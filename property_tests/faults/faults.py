@@ -89,7 +89,7 @@ class Run:
         missing = [d.name for d in table if d not in self.detectors and not d.optional]
         if missing:
             sys.exit("faults: this tree does not build " + ", ".join(missing))
-        return sorted({target for d in self.detectors for target in d.targets})
+        return sorted({target for d in self.detectors if not d.lazy for target in d.targets})
 
     def kill(self, patch):
         """The detector and its finding, or None if all pass."""
@@ -108,6 +108,7 @@ class Run:
     def is_sound(self, detector):
         """Whether the detector passes where no fault is."""
         if detector.name not in self.sound:
+            self.space.make(detector.targets)
             finding = detector.run(detector, self.space, "")
             if finding:
                 print(f"    {detector.name} fails without a fault: {finding.what}", flush=True)

@@ -18,21 +18,25 @@ class BuildError(Exception):
 
 
 class TimeOut(Exception):
-    pass
+    """More CPU time than the limit."""
+
+
+class Stalled(BuildError):
+    """More time by the clock: says more of the machine than of the program, so it is no kill."""
 
 
 def run(command, cwd, cpu_limit, env=None):
     """Runs a command in its own process group. A process of it may use `cpu_limit` seconds of CPU time, and all together
-    ten times that by the clock. Returns the completed process. Errors: TimeOut with the output so far."""
+    a hundred times that by the clock. Returns the completed process. Errors: TimeOut with the output so far; Stalled."""
     process = subprocess.Popen([str(c) for c in command], cwd=cwd, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                stderr=subprocess.PIPE, text=True, errors="replace", start_new_session=True, env=env,
                                preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (cpu_limit, cpu_limit + 5)))
     try:
-        out, err = process.communicate(timeout=10 * cpu_limit)
+        out, err = process.communicate(timeout=100 * cpu_limit)
     except subprocess.TimeoutExpired:
         os.killpg(process.pid, signal.SIGKILL)
-        out, err = process.communicate()
-        raise TimeOut(out + err) from None
+        process.communicate()
+        raise Stalled(f"{command[0]} took over {100 * cpu_limit} s by the clock, but not {cpu_limit} s of CPU time") from None
     except BaseException:
         os.killpg(process.pid, signal.SIGKILL)
         process.communicate()
@@ -113,7 +117,7 @@ class Workspace:
         done = run(command, self.folder, 3600)
         if done.returncode != 0:
             errors = [line for line in (done.stdout + done.stderr).splitlines() if "error" in line.lower()]
-            raise BuildError(f"{what} failed: " + " | ".join(errors[:3] or done.stderr.splitlines()[-3:])[:600])
+            raise BuildError(f"{what} failed: " + " | ".join(errors[:3] or (done.stdout + done.stderr).splitlines()[-3:])[:600])
         return done.stdout
 
     def _copy_tree(self):

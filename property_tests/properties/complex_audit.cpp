@@ -34,16 +34,18 @@ void require_adjacency(const ref::QuotientComplex<D>& complex) {
   for (std::uint32_t i = 0; i < complex.cell_slots(); ++i) {
     const CellId c{i};
     const auto& cell = complex.cell(c);
-    if (!cell.alive) continue;
+    if (!cell.is_alive()) continue;
     for (std::uint32_t k = 0; k <= D; ++k) {
       const CellId n = cell.neighbour[k];
-      require(index_of(n) < complex.cell_slots() && complex.cell(n).alive, "a neighbour is no cell");
+      require(index_of(n) < complex.cell_slots() && complex.cell(n).is_alive(), "a neighbour is no cell");
       const auto& other = complex.cell(n);
       std::uint32_t f = 0;
-      while (f <= D && !(other.neighbour[f] == c && other.gluing[f] == table.inverse(cell.gluing[k]))) ++f;
+      while (f <= D &&
+             !(other.neighbour[f] == c && complex.gluing(n, f) == table.inverse(complex.gluing(c, k))))
+        ++f;
       require(f <= D, "neighbours do not know each other");
       require(facet_points<D>(table, complex.base_points(c), k, {}) ==
-                  facet_points<D>(table, complex.base_points(n), f, cell.gluing[k]),
+                  facet_points<D>(table, complex.base_points(n), f, complex.gluing(c, k)),
               "glued cells do not share the facet");
     }
   }
@@ -61,7 +63,7 @@ void require_vertices(const ref::QuotientComplex<D>& complex, const std::vector<
         require(c == ref::kNoCell, "a vertex that was not inserted has a cell");
         continue;
       }
-      require(c != ref::kNoCell && complex.cell(c).alive, "a vertex names a cell that is gone");
+      require(c != ref::kNoCell && complex.cell(c).is_alive(), "a vertex names a cell that is gone");
       const auto& vertices = complex.cell(c).vertex;
       require(std::find(vertices.begin(), vertices.end(), v) != vertices.end(),
               "a vertex names a cell that is not its own");
@@ -75,14 +77,14 @@ void require_cells(const Engine<D>& engine, const ref::PeriodicDelaunay<D>& leve
   const auto& complex = level.complex();
   std::size_t large = 0;
   for (std::uint32_t i = 0; i < complex.cell_slots(); ++i) {
-    if (!complex.cell(CellId{i}).alive) continue;
+    if (!complex.cell(CellId{i}).is_alive()) continue;
     std::vector<Vector> corners;
     for (const OrbitPoint& p : complex.base_points(CellId{i})) corners.push_back(engine.position(p));
     require(orientation(corners) == ref::Sign::positive, "a base lift is not positively oriented");
     if (level.is_on_manifold()) continue;
     const Sphere sphere = *circumsphere(engine.analysis.frame.gram, corners);
     const bool is_large = Rational(16) * sphere.squared_radius >= engine.analysis.frame.delta_squared;
-    require(complex.cell(CellId{i}).large == is_large, "a cell is wrongly in the list L, or missing from it");
+    require(level.is_large(CellId{i}) == is_large, "a cell is wrongly in the list L, or missing from it");
     if (is_large) ++large;
   }
   require(level.is_on_manifold() || level.large_cells() == large, "the list L is counted wrongly");
@@ -112,12 +114,12 @@ void require_verified_by_checker(const Engine<D>& engine, const ref::PeriodicDel
   std::map<Element, std::uint32_t> elements;
   for (std::uint32_t i = 0; i < complex.cell_slots(); ++i) {
     const auto& cell = complex.cell(CellId{i});
-    if (!cell.alive) continue;
+    if (!cell.is_alive()) continue;
     std::array<ref::Triangulation::CellVertex, 4> vertices{};
     for (std::size_t k = 0; k <= D; ++k) {
-      const auto [entry, is_new] =
-          elements.try_emplace(cell.offset[k], static_cast<std::uint32_t>(triangulation.elements.size()));
-      if (is_new) triangulation.elements.push_back(engine.table.isometry(cell.offset[k]));
+      const auto [entry, is_new] = elements.try_emplace(
+          complex.offset(CellId{i}, k), static_cast<std::uint32_t>(triangulation.elements.size()));
+      if (is_new) triangulation.elements.push_back(engine.table.isometry(complex.offset(CellId{i}, k)));
       const auto point = number.find(cell.vertex[k]);
       require(point != number.end(), "a cell has a vertex that was not inserted");
       vertices[k] = {point->second, entry->second};

@@ -29,9 +29,7 @@ struct Engine {
   [[nodiscard]] ref::Vector position(const ref::OrbitPoint& p) const {
     ref::Vector x(D);
     const ref::Site& site = sites[index_of(p.site)];
-    for (int i = 0; i < D; ++i)
-      x[i] = ref::Rational(ref::Integer(site.numerators[static_cast<std::size_t>(i)]),
-                           ref::Integer(site.denominator));
+    for (int i = 0; i < D; ++i) x[i] = ref::Rational(site.numerator(i), site.denominator());
     return table.isometry(p.g) * x;
   }
 

@@ -92,6 +92,9 @@ int parse_and_run(int argc, const char* const* argv) {
                                                    "Largest covering to work in; implies --engine covering")
                                       ->check(CLI::Range(1L, 1000000000L))
                                       ->capture_default_str();
+  command->add_flag(
+      "--smallest-cover", triangulate.smallest_cover,
+      "Where the manifold has no triangulation: the smallest covering that has one of these points");
   command->add_flag("-q,--quiet", triangulate.quiet, "Nothing on standard error but errors");
   command->callback([&] {
     if (sheets->count() > 0 || max_sheets->count() > 0) {

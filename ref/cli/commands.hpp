@@ -35,7 +35,8 @@ struct TriangulateOptions {
   std::string json_summary;               // empty: none
   std::string engine = "without-covers";  // or "covering"
   std::string sheets = "smallest";        // or "theorem10"
-  std::uint64_t order_seed = 0;           // internal insertion order; the output does not depend on it
+  bool smallest_cover = false;
+  std::uint64_t order_seed = 0;  // internal insertion order; the output does not depend on it
   long max_sheets = 20000;
   bool quiet = false;
 };

@@ -95,6 +95,7 @@ int run_triangulate(const TriangulateOptions& options) {
   TriangulationOptions settings;
   settings.insertion = options.engine == "covering" ? Insertion::covering : Insertion::without_covers;
   settings.cover = options.sheets == "theorem10" ? CoverChoice::theorem10 : CoverChoice::smallest;
+  settings.smallest_cover = options.smallest_cover;
   settings.order_seed = options.order_seed;
   settings.max_sheets = options.max_sheets;
   if (options.output == options.json_summary)

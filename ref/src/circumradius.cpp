@@ -44,20 +44,27 @@ Interval enclose_rational(const Rational& value) {
 }  // namespace
 
 template <int D>
-Circumradius<D>::Circumradius(const Frame& frame, Predicates<D>& predicates)
-    : predicates_(&predicates), threshold_(frame.delta_squared * Rational(Integer(1), Integer(16))) {
-  threshold_interval_ = enclose_rational(threshold_);
-  int row_sum = 1;
+CircumradiusConstants<D>::CircumradiusConstants(const Frame& frame)
+    : threshold(frame.delta_squared * Rational(Integer(1), Integer(16))),
+      threshold_interval(enclose_rational(threshold)) {
   for (const Isometry& g : frame.cosets)
     for (int i = 0; i < D; ++i) {
       Rational sum;
       for (int j = 0; j < D; ++j) sum += abs(g.linear(i, j));
-      row_sum = std::max(row_sum, static_cast<int>(sum.numerator().to_long()));
+      row_sum = std::max(row_sum, static_cast<double>(sum.numerator().to_long()));
     }
-  row_sum_ = row_sum;
+  const Rational determinant = frame.gram.determinant();
+  const Matrix adjoint = determinant * frame.gram.inverse();
+  approximate_determinant = determinant.to_double();
   for (int i = 0; i < D; ++i)
-    for (int j = 0; j < D; ++j)
-      gram_[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = enclose_rational(frame.gram(i, j));
+    for (int j = 0; j < D; ++j) {
+      const auto r = static_cast<std::size_t>(i), c = static_cast<std::size_t>(j);
+      gram[r][c] = enclose_rational(frame.gram(i, j));
+      approximate_gram[r][c] = frame.gram(i, j).to_double();
+      approximate_adjoint[r][c] = adjoint(i, j).to_double();
+      gram_sum += std::fabs(approximate_gram[r][c]);
+      adjoint_sum += std::fabs(approximate_adjoint[r][c]);
+    }
 }
 
 template <int D>
@@ -68,13 +75,13 @@ Interval Circumradius<D>::enclose(const std::array<Lift, D + 1>& cell, double en
   for (std::size_t k = 0; k < D; ++k) {
     for (std::size_t i = 0; i < D; ++i) {
       const double x = cell[k + 1].x[i], y = cell[0].x[i];
-      const double e = 2.25 * 0x1p-48 * (row_sum_ + 1 + std::max(std::fabs(x), std::fabs(y)));
+      const double e = 2.25 * 0x1p-48 * (c_->row_sum + 1 + std::max(std::fabs(x), std::fabs(y)));
       const double difference = x - y;
       a[k][i] = outward(difference - e, difference + e);
     }
     q[k] = {};
     for (std::size_t i = 0; i < D; ++i)
-      for (std::size_t j = 0; j < D; ++j) q[k] = q[k] + gram_[i][j] * a[k][i] * a[k][j];
+      for (std::size_t j = 0; j < D; ++j) q[k] = q[k] + c_->gram[i][j] * a[k][i] * a[k][j];
     if (q[k].lo >= 4 * enough) return {q[k].lo / 4, kInfinity};  // the diameter is at least an edge
   }
   // Solve 2 A z = q for z = G c by Cramer; R^2 = z^T G^-1 z.
@@ -86,10 +93,10 @@ Interval Circumradius<D>::enclose(const std::array<Lift, D + 1>& cell, double en
     det = a[0][0] * a[1][1] - a[0][1] * a[1][0];
     y[0] = a[1][1] * q[0] - a[0][1] * q[1];
     y[1] = a[0][0] * q[1] - a[1][0] * q[0];
-    det_g = gram_[0][0] * gram_[1][1] - gram_[0][1] * gram_[1][0];
-    adjoint[0][0] = gram_[1][1];
-    adjoint[1][1] = gram_[0][0];
-    adjoint[0][1] = adjoint[1][0] = Interval{} - gram_[0][1];
+    det_g = c_->gram[0][0] * c_->gram[1][1] - c_->gram[0][1] * c_->gram[1][0];
+    adjoint[0][0] = c_->gram[1][1];
+    adjoint[1][1] = c_->gram[0][0];
+    adjoint[0][1] = adjoint[1][0] = Interval{} - c_->gram[0][1];
   } else {
     const auto cofactor = [](const auto& m, std::size_t i, std::size_t j) {
       const std::size_t r0 = (i + 1) % 3, r1 = (i + 2) % 3, c0 = (j + 1) % 3, c1 = (j + 2) % 3;
@@ -98,10 +105,10 @@ Interval Circumradius<D>::enclose(const std::array<Lift, D + 1>& cell, double en
     for (std::size_t i = 0; i < 3; ++i) {
       y[i] = {};
       for (std::size_t k = 0; k < 3; ++k) y[i] = y[i] + cofactor(a, k, i) * q[k];
-      for (std::size_t j = 0; j < 3; ++j) adjoint[i][j] = cofactor(gram_, i, j);
+      for (std::size_t j = 0; j < 3; ++j) adjoint[i][j] = cofactor(c_->gram, i, j);
     }
     det = a[0][0] * cofactor(a, 0, 0) + a[0][1] * cofactor(a, 0, 1) + a[0][2] * cofactor(a, 0, 2);
-    det_g = gram_[0][0] * adjoint[0][0] + gram_[0][1] * adjoint[0][1] + gram_[0][2] * adjoint[0][2];
+    det_g = c_->gram[0][0] * adjoint[0][0] + c_->gram[0][1] * adjoint[0][1] + c_->gram[0][2] * adjoint[0][2];
   }
   Interval numerator{};
   for (std::size_t i = 0; i < D; ++i)
@@ -111,31 +118,88 @@ Interval Circumradius<D>::enclose(const std::array<Lift, D + 1>& cell, double en
 
 template <int D>
 bool Circumradius<D>::is_large(const std::array<Lift, D + 1>& cell) {
-  const Interval r = enclose(cell, threshold_interval_.hi);
-  if (r.lo >= threshold_interval_.hi) return true;
-  if (r.hi < threshold_interval_.lo) return false;
+  const Interval r = enclose(cell, c_->threshold_interval.hi);
+  if (r.lo >= c_->threshold_interval.hi) return true;
+  if (r.hi < c_->threshold_interval.lo) return false;
   CellPoints<D> points;
   for (std::size_t k = 0; k <= D; ++k) points[k] = cell[k].point;
   const auto [numerator, denominator] = predicates_->exact().squared_circumradius(points);
-  return numerator * threshold_.denominator() >= denominator * threshold_.numerator();
+  return numerator * c_->threshold.denominator() >= denominator * c_->threshold.numerator();
+}
+
+/// Notation: filter.hpp; u = 2^-53, eta bounds the error of an entry of A and M >= 1 entries of A and eta.
+/// With Gs = sum |G_ij|, As = sum |adj(G)_ij|:
+///   q = a^T G a            |q| <= Gs M^2,       error <= e_q = Gs (2.1 eta M + 24 u M^2)
+///   cofactor of A          |c| <= 2 M^2,        error <= e_c = 4.1 eta M + 8 u M^2
+///   y = adj(A) q, 3 terms  |y| <= Y = 6 Gs M^4, error <= e_y = 3 (1.1 e_c Gs M^2 + 2.1 M^2 e_q) + 48 u Gs
+///   M^4 det A                  |det| <= 6 M^3,      error <= e_d = 3 (1.1 e_c M + 2.1 M^2 eta) + 48 u M^3
+///   y^T adj(G) y           error <= As (2.1 Y e_y + 24 u Y^2)
+/// In the plane the same with fewer terms. The second-order products are in the factors 1.1 and 2.1 as long
+/// as eta <= M / 100. Entries of G and its adjoint and det(G) are exact up to a relative 2 u; the last factor
+/// covers that and the rounding of the bounds themselves.
+template <int D>
+double Circumradius<D>::upper_bound(const std::array<Lift, D + 1>& cell) const {
+  constexpr double u = 0x1p-53;
+  std::array<std::array<double, D>, D> a;
+  std::array<double, D> q;
+  double m = 0;
+  double x = 0;
+  for (std::size_t i = 0; i < D; ++i) x = std::max(x, std::fabs(cell[0].x[i]));
+  for (std::size_t k = 0; k < D; ++k) {
+    for (std::size_t i = 0; i < D; ++i) {
+      a[k][i] = cell[k + 1].x[i] - cell[0].x[i];
+      m = std::max(m, std::fabs(a[k][i]));
+    }
+    q[k] = 0;
+    for (std::size_t i = 0; i < D; ++i) {
+      double row = 0;
+      for (std::size_t j = 0; j < D; ++j) row += c_->approximate_gram[i][j] * a[k][j];
+      q[k] += row * a[k][i];
+    }
+  }
+  const double eta = 2.25 * 0x1p-48 * (c_->row_sum + 1 + x + m);
+  m += eta;
+  if (!(100 * eta <= m)) return kUnbounded;
+  std::array<double, D> y;
+  double det = 0;
+  if constexpr (D == 2) {
+    det = a[0][0] * a[1][1] - a[0][1] * a[1][0];
+    y = {a[1][1] * q[0] - a[0][1] * q[1], a[0][0] * q[1] - a[1][0] * q[0]};
+  } else {
+    std::array<std::array<double, 3>, 3> cofactor;
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j) {
+        const std::size_t r0 = (i + 1) % 3, r1 = (i + 2) % 3, c0 = (j + 1) % 3, c1 = (j + 2) % 3;
+        cofactor[i][j] = a[r0][c0] * a[r1][c1] - a[r0][c1] * a[r1][c0];
+      }
+    for (std::size_t i = 0; i < 3; ++i)
+      y[i] = cofactor[0][i] * q[0] + cofactor[1][i] * q[1] + cofactor[2][i] * q[2];
+    det = a[0][0] * cofactor[0][0] + a[0][1] * cofactor[0][1] + a[0][2] * cofactor[0][2];
+  }
+  double numerator = 0;
+  for (std::size_t i = 0; i < D; ++i)
+    for (std::size_t j = 0; j < D; ++j) numerator += c_->approximate_adjoint[i][j] * y[i] * y[j];
+  const double m2 = m * m, gm2 = c_->gram_sum * m2, bound_y = 6 * gm2 * m2;
+  const double e_q = c_->gram_sum * (2.1 * eta * m + 24 * u * m2);
+  const double e_c = 4.1 * eta * m + 8 * u * m2;
+  const double e_y = 3 * (1.1 * e_c * gm2 + 2.1 * m2 * e_q) + 48 * u * gm2 * m2;
+  const double e_d = 3 * (1.1 * e_c * m + 2.1 * m2 * eta) + 48 * u * m2 * m;
+  const double e_n = c_->adjoint_sum * (2.1 * bound_y * e_y + 24 * u * bound_y * bound_y);
+  const double least_det = std::fabs(det) - 1.1 * e_d;
+  const double bound =
+      (numerator + 1.1 * e_n) / (4 * least_det * least_det * c_->approximate_determinant) * (1 + 0x1p-40);
+  // Not so for an underflow or a NaN.
+  return least_det > 0 && bound > 0x1p-900 && c_->approximate_determinant > 0x1p-900 ? bound : kUnbounded;
 }
 
 template <int D>
-Rational Circumradius<D>::squared_diameter(const std::vector<std::array<Lift, D + 1>>& cells) {
-  ensure(!cells.empty(), "a triangulation has a cell");
-  std::vector<Interval> enclosures;
-  double lower = -kInfinity;
-  for (const auto& cell : cells) {
-    enclosures.push_back(enclose(cell, kInfinity));
-    lower = std::max(lower, enclosures.back().lo);
-  }
+Rational Circumradius<D>::largest(const std::vector<Candidate>& candidates, double least) {
+  ensure(!candidates.empty(), "a triangulation has a cell");
   Integer numerator = -1;
   Integer denominator = 1;
-  for (std::size_t c = 0; c < cells.size(); ++c) {
-    if (enclosures[c].hi < lower) continue;
-    CellPoints<D> points;
-    for (std::size_t k = 0; k <= D; ++k) points[k] = cells[c][k].point;
-    const auto [n, m] = predicates_->exact().squared_circumradius(points);
+  for (const Candidate& candidate : candidates) {
+    if (candidate.upper < least) continue;
+    const auto [n, m] = predicates_->exact().squared_circumradius(candidate.points);
     if (n * denominator > numerator * m) {
       numerator = n;
       denominator = m;
@@ -144,6 +208,8 @@ Rational Circumradius<D>::squared_diameter(const std::vector<std::array<Lift, D 
   return Rational(Integer(4) * numerator, denominator);
 }
 
+template struct CircumradiusConstants<2>;
+template struct CircumradiusConstants<3>;
 template class Circumradius<2>;
 template class Circumradius<3>;
 

@@ -5,6 +5,10 @@ namespace flatdt::ref {
 
 template <int D>
 bool PeriodicDelaunay<D>::in_conflict(CellId c, const OrbitPoint& seen) const {
+  // Coordinates decide nearly always: the lifts are made only where they do not.
+  const auto sign =
+      setting_.predicates->quick_insphere(complex_.base_coordinates(c), complex_.coordinates(seen));
+  if (sign) return *sign == Sign::positive;
   return setting_.predicates->conflict_sos(complex_.base_lift(c), complex_.lift(seen));
 }
 
@@ -15,11 +19,11 @@ void PeriodicDelaunay<D>::add_boundary_facet(const Location& inside, std::uint32
   const auto& cell = complex_.cell(inside.cell);
   BoundaryFacet b;
   b.outside = cell.neighbour[facet];
-  b.outside_lift = table.multiply(lift, cell.gluing[facet]);
+  b.outside_lift = table.multiply(lift, complex_.gluing(inside.cell, facet));
   b.hole = facet;
   for (std::size_t j = 0; j <= D; ++j) {
     b.vertex[j] = cell.vertex[j];
-    b.offset[j] = table.multiply(lift, cell.offset[j]);
+    b.offset[j] = table.multiply(lift, complex_.offset(inside.cell, j));
   }
   b.outside_facet = complex_.mirror_facet(inside.cell, facet);
   // The base lift is positively oriented; under a reversing element two vertices change places.
@@ -34,23 +38,19 @@ void PeriodicDelaunay<D>::add_boundary_facet(const Location& inside, std::uint32
 
 template <int D>
 const typename PeriodicDelaunay<D>::Visit* PeriodicDelaunay<D>::find_visit(const Location& where) const {
-  const auto& cell = complex_.cell(where.cell);
-  if (cell.visit != visit_) return nullptr;
-  for (std::uint32_t v = cell.first_visit; v != kNoVisit; v = visits_[v].next)
+  for (std::uint32_t v = last_visit(where.cell); v != kNoVisit; v = visits_[v].previous)
     if (visits_[v].seen == where.seen) return &visits_[v];
   return nullptr;
 }
 
 template <int D>
 void PeriodicDelaunay<D>::record_visit(const Location& where, bool conflict) {
-  auto& cell = complex_.cell(where.cell);
-  const std::uint32_t next = cell.visit == visit_ ? cell.first_visit : kNoVisit;
-  if (next != kNoVisit) ++repeated_visits_;
-  for (std::uint32_t v = next; v != kNoVisit && !meets_own_copies_; v = visits_[v].next)
+  const std::uint32_t previous = last_visit(where.cell);
+  if (previous != kNoVisit) ++repeated_visits_;
+  for (std::uint32_t v = previous; v != kNoVisit && !meets_own_copies_; v = visits_[v].previous)
     meets_own_copies_ = conflict || visits_[v].conflict;
-  cell.visit = visit_;
-  cell.first_visit = static_cast<std::uint32_t>(visits_.size());
-  visits_.push_back({where.seen, conflict, next});
+  complex_.cell(where.cell).visit = static_cast<std::uint32_t>(visits_.size());
+  visits_.push_back({where.cell, where.seen, conflict, previous});
 }
 
 /// Bounded: the search meets the lifts of cells in the region and next to it; an empty ball has radius at
@@ -61,7 +61,6 @@ void PeriodicDelaunay<D>::record_visit(const Location& where, bool conflict) {
 template <int D>
 bool PeriodicDelaunay<D>::collect_conflicts(const OrbitPoint& q, const Location& at) {
   const GroupTable& table = *setting_.table;
-  ++visit_;
   visits_.clear();
   region_.clear();
   boundary_.clear();
@@ -80,7 +79,8 @@ bool PeriodicDelaunay<D>::collect_conflicts(const OrbitPoint& q, const Location&
     const Element lift = table.multiply(q.g, table.inverse(here.seen));
     for (std::uint32_t k = 0; k <= D; ++k) {
       const auto& cell = complex_.cell(here.cell);
-      const Location there{cell.neighbour[k], table.multiply(table.inverse(cell.gluing[k]), here.seen)};
+      const Location there{cell.neighbour[k],
+                           table.multiply(table.inverse(complex_.gluing(here.cell, k)), here.seen)};
       const Visit* const known = find_visit(there);
       const bool conflict =
           known != nullptr ? known->conflict : in_conflict(there.cell, {q.site, there.seen});

@@ -11,6 +11,7 @@
 #include "flatdt/ref/errors.hpp"
 #include "flatdt/ref/lattice.hpp"
 #include "lattice_root.hpp"
+#include "small_closest_vectors.hpp"
 
 namespace flatdt::ref {
 namespace {
@@ -88,17 +89,36 @@ Integer hermite_lower_bound(const Matrix& gram, const Rational& bound) {
   return floor_sqrt(power / (constant * gram.determinant())) + 1;
 }
 
+Vector to_vector(int dimension, const std::array<std::int64_t, 3>& x) {
+  Vector v(dimension);
+  for (int i = 0; i < dimension; ++i) v[i] = static_cast<long>(x[static_cast<std::size_t>(i)]);
+  return v;
+}
+
 /// The nonzero g of L in 4V. g = c - 4s lies in 4V iff s is closest to c/4, so c needs to run through L/4L
 /// only: 4^d closest-vector problems, whatever the metric.
 std::vector<Vector> vectors_of_four_cells(const Matrix& gram) {
   const int d = gram.dimension();
   const ReducedBasis reduced = reduce_basis(gram);
+  const auto small = SmallClosestVectors::make(reduced.gram);
   std::vector<Vector> found;
   for (int code = 0; code < (d == 2 ? 16 : 64); ++code) {
-    Vector c(d);
-    for (int i = 0, rest = code; i < d; ++i, rest /= 4) c[i] = rest % 4;
-    for (const Vector& s : closest_vectors(reduced.gram, Rational(Integer(1), Integer(4)) * c)) {
-      const Vector g = c - Rational(4) * s;
+    SmallClosestVectors::Coordinates c{};
+    Vector exact(d);
+    for (int i = 0, rest = code; i < d; ++i, rest /= 4) {
+      c[static_cast<std::size_t>(i)] = rest % 4;
+      exact[i] = rest % 4;
+    }
+    std::vector<Vector> closest;
+    if (small) {
+      const auto vectors = (*small)(c, 4);
+      ensure(vectors.has_value(), "a denominator of 4 fits");
+      for (const auto& s : *vectors) closest.push_back(to_vector(d, s));
+    } else {
+      closest = closest_vectors(reduced.gram, Rational(Integer(1), Integer(4)) * exact);
+    }
+    for (const Vector& s : closest) {
+      const Vector g = exact - Rational(4) * s;
       if (!g.is_zero()) found.push_back(reduced.transform * g);
     }
   }
@@ -134,8 +154,12 @@ Sublattice one_at_a_time_cover(const Frame& frame, long max_sheets) {
 }
 
 Sublattice complete_orbit_cover(const Frame& frame) {
+  return smallest_cover_without(frame, vectors_of_four_cells(frame.gram));
+}
+
+Sublattice smallest_cover_without(const Frame& frame, const std::vector<Vector>& vectors) {
   // At most 27 indices and 250 vectors: no limit on the work.
-  SublatticeSearch search(frame, vectors_of_four_cells(frame.gram), std::numeric_limits<long>::max());
+  SublatticeSearch search(frame, vectors, std::numeric_limits<long>::max());
   for (long index = 1; index <= (frame.dimension == 2 ? 9 : 27); ++index)
     if (auto found = search.least_of_index(index)) return *std::move(found);
   throw InternalError("3L meets 4V in 0 only");

@@ -25,29 +25,33 @@ Sign sign_of(const mpz_class& x) {
 }  // namespace
 
 template <int D>
-ExactPredicates<D>::ExactPredicates(const Frame& frame, const GroupTable& table,
-                                    const std::vector<Site>& sites)
-    : table_(&table), sites_(&sites) {
-  Integer denominator = 1;
+IntegralMetric<D>::IntegralMetric(const Frame& frame) {
+  Integer common = 1;
   for (int i = 0; i < D; ++i)
-    for (int j = 0; j < D; ++j) denominator = lcm(denominator, frame.gram(i, j).denominator());
-  gram_denominator_ = denominator.mpz();
-  const Matrix scaled = Rational(denominator) * frame.gram;
-  const Rational determinant = scaled.determinant();
-  const Matrix adjoint = determinant * scaled.inverse();
-  gram_determinant_ = determinant.numerator().mpz();
+    for (int j = 0; j < D; ++j) common = lcm(common, frame.gram(i, j).denominator());
+  denominator = common.mpz();
+  const Matrix scaled = Rational(common) * frame.gram;
+  const Rational det = scaled.determinant();
+  const Matrix adjoint_matrix = det * scaled.inverse();
+  determinant = det.numerator().mpz();
   for (int i = 0; i < D; ++i)
     for (int j = 0; j < D; ++j) {
-      gram_[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = scaled(i, j).numerator().mpz();
-      gram_adjoint_[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] =
-          adjoint(i, j).numerator().mpz();
+      const auto r = static_cast<std::size_t>(i), c = static_cast<std::size_t>(j);
+      gram[r][c] = scaled(i, j).numerator().mpz();
+      adjoint[r][c] = adjoint_matrix(i, j).numerator().mpz();
     }
 }
 
 template <int D>
 void ExactPredicates<D>::load(const OrbitPoint& p, Row& coordinates, mpz_class& denominator) {
   const Site& site = (*sites_)[index_of(p.site)];
-  denominator = site.denominator;
+  if (!site.large) {
+    mpz_set_si(denominator.get_mpz_t(), site.small_denominator);
+    for (std::size_t j = 0; j < D; ++j) mpz_set_si(small_[j].get_mpz_t(), site.small[j]);
+  } else {
+    denominator = site.large->denominator;
+  }
+  const mpz_class* const numerators = site.large ? site.large->numerators.data() : small_.data();
   const GroupTable::Linear& linear = table_->linear(p.g.coset);
   const std::array<int, 3>& tau = table_->scaled_tau(p.g.coset);
   // The site's denominator is a multiple of the translation denominator: unit = denominator / translation
@@ -57,7 +61,7 @@ void ExactPredicates<D>::load(const OrbitPoint& p, Row& coordinates, mpz_class& 
   for (std::size_t i = 0; i < D; ++i) {
     mpz_class& x = coordinates[i];
     x = 0;
-    for (std::size_t j = 0; j < D; ++j) add_small_multiple(x, site.numerators[j], linear[3 * i + j]);
+    for (std::size_t j = 0; j < D; ++j) add_small_multiple(x, numerators[j], linear[3 * i + j]);
     add_small_multiple(x, t0_, tau[i] + table_->translation_denominator() * p.g.t[i]);
   }
 }
@@ -107,7 +111,7 @@ void ExactPredicates<D>::squared_length(const Row& a, mpz_class& result) {
   for (std::size_t i = 0; i < D; ++i) {
     t0_ = 0;
     for (std::size_t j = 0; j < D; ++j)
-      if (sgn(gram_[i][j]) != 0) addmul(t0_, gram_[i][j], a[j]);
+      if (sgn(metric_->gram[i][j]) != 0) addmul(t0_, metric_->gram[i][j], a[j]);
     addmul(result, t0_, a[i]);
   }
 }
@@ -192,21 +196,23 @@ std::pair<Integer, Integer> ExactPredicates<D>::squared_circumradius(const std::
   mpz_class numerator = 0;
   for (std::size_t i = 0; i < D; ++i) {
     t1_ = 0;
-    for (std::size_t j = 0; j < D; ++j) addmul(t1_, gram_adjoint_[i][j], y[j]);
+    for (std::size_t j = 0; j < D; ++j) addmul(t1_, metric_->adjoint[i][j], y[j]);
     addmul(numerator, t1_, y[i]);
   }
   // With unscaled A = A'/m, q = q'/(m^2 g), G = G'/g (m common, g Gram denominator): y = y'/(m^(D+1) g),
   // adj(G) = adj(G')/g^(D-1), det(A) = det(A')/m^D, det(G) = det(G')/g^D. So
   // R^2 = [y'^T adj(G') y' / (4 det(A')^2 det(G'))] / (m^2 g).
   mpz_class denominator = det_ * det_;
-  denominator *= gram_determinant_;
+  denominator *= metric_->determinant;
   denominator *= 4;
   denominator *= common_;
   denominator *= common_;
-  denominator *= gram_denominator_;
+  denominator *= metric_->denominator;
   return {Integer(numerator), Integer(denominator)};
 }
 
+template struct IntegralMetric<2>;
+template struct IntegralMetric<3>;
 template class ExactPredicates<2>;
 template class ExactPredicates<3>;
 

@@ -4,8 +4,6 @@
 #include <deque>
 #include <map>
 
-#include "flatdt/ref/orbit_position.hpp"
-
 namespace flatdt::ref {
 namespace {
 
@@ -19,15 +17,20 @@ template <int D>
 FiniteStar<D>::FiniteStar(const GroupTable& table, const std::vector<Site>& sites, Predicates<D>& predicates,
                           const OrbitPoint& q, const std::vector<OrbitPoint>& candidates)
     : predicates_(&predicates), q_(make_lift(table, sites, q)) {
-  const Vector origin = position(table, sites, q);
-  for (const OrbitPoint& p : candidates) {
-    candidates_.push_back(make_lift(table, sites, p));
-    difference_.push_back(position(table, sites, p) - origin);
-  }
+  candidates_.reserve(candidates.size());
+  for (const OrbitPoint& p : candidates) candidates_.push_back(make_lift(table, sites, p));
 }
 
 template <int D>
-std::array<Lift, D + 1> FiniteStar<D>::oriented(const Apexes& apexes, Sign& sign) {
+Sign FiniteStar<D>::orientation(const Apexes& apexes) const {
+  std::array<Lift, D + 1> cell;
+  cell[0] = q_;
+  for (std::size_t k = 0; k < D; ++k) cell[k + 1] = candidates_[apexes[k]];
+  return predicates_->orientation(cell);
+}
+
+template <int D>
+std::array<Lift, D + 1> FiniteStar<D>::oriented(const Apexes& apexes, Sign& sign) const {
   std::array<Lift, D + 1> cell;
   cell[0] = q_;
   for (std::size_t k = 0; k < D; ++k) cell[k + 1] = candidates_[apexes[k]];
@@ -37,22 +40,18 @@ std::array<Lift, D + 1> FiniteStar<D>::oriented(const Apexes& apexes, Sign& sign
 }
 
 /// Is the ray u = (1, e, e^2, ...), e infinitesimal, inside the cone of the apexes at q? By Cramer: replacing
-/// column k by u must give the sign of the determinant, for every k; with u in place the determinant's sign
-/// is that of its first nonzero cofactor.
+/// apex k by q + u must give the sign of the determinant, for every k; with u in place the determinant's sign
+/// is that of its first nonzero coefficient: of q + e_i, candidate i, in place.
 template <int D>
 bool FiniteStar<D>::contains_ray(const Apexes& apexes) const {
-  Matrix a(D);
-  for (int k = 0; k < D; ++k) a.set_column(k, difference_[apexes[static_cast<std::size_t>(k)]]);
-  const Sign whole = a.determinant().sign();
+  const Sign whole = orientation(apexes);
   if (whole == Sign::zero) return false;
-  for (int k = 0; k < D; ++k) {
+  for (std::size_t k = 0; k < D; ++k) {
     Sign sign = Sign::zero;
-    for (int i = 0; i < D && sign == Sign::zero; ++i) {
-      Matrix replaced = a;
-      Vector unit(D);
-      unit[i] = 1;
-      replaced.set_column(k, unit);
-      sign = replaced.determinant().sign();
+    for (std::size_t i = 0; i < D && sign == Sign::zero; ++i) {
+      Apexes replaced = apexes;
+      replaced[k] = i;
+      if (std::count(replaced.begin(), replaced.end(), i) == 1) sign = orientation(replaced);
     }
     if (sign != whole) return false;
   }

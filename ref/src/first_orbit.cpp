@@ -5,9 +5,58 @@
 #include "flatdt/ref/finite_star.hpp"
 #include "flatdt/ref/lattice.hpp"
 #include "flatdt/ref/orbit_position.hpp"
+#include "small_closest_vectors.hpp"
 
 namespace flatdt::ref {
 namespace {
+
+/// The elements {e - 2s} r with s closest to (u + e)/2, u = r q - p, for all e in {0,1}^d; in rationals.
+void add_candidates(const Frame& frame, const GroupTable& table, const Vector& q, const Vector& p,
+                    std::uint16_t coset, std::vector<Element>& candidates) {
+  const int d = frame.dimension;
+  const Isometry r = table.isometry(Element{{}, coset});
+  const Vector u = r * q - p;
+  for (int e = 0; e < (1 << d); ++e) {
+    Vector shifted = u;
+    Vector shift(d);
+    for (int i = 0; i < d; ++i)
+      if (((e >> i) & 1) != 0) {
+        shifted[i] += 1;
+        shift[i] = 1;
+      }
+    for (const Vector& s : closest_vectors(frame.gram, Rational(Integer(1), Integer(2)) * shifted))
+      candidates.push_back(table.element(Isometry::translate(shift - Rational(2) * s) * r));
+  }
+}
+
+/// The same in machine integers; false where the numbers do not fit, candidates then as before.
+bool add_small_candidates(const SmallClosestVectors& closest, const GroupTable& table, const Site& q,
+                          const Element& g, std::uint16_t coset, std::vector<Element>& candidates) {
+  const auto d = static_cast<std::size_t>(table.dimension());
+  // 2^16 bounds the lattice vectors that elements move by, and 2^60 what the search takes.
+  if (q.small_denominator >= std::int64_t{1} << 42U) return false;
+  std::array<std::int64_t, 3> u{};
+  const std::array<std::int64_t, 3> there = table.apply(Element{{}, coset}, q.small, q.small_denominator);
+  const std::array<std::int64_t, 3> here = table.apply(g, q.small, q.small_denominator);
+  for (std::size_t i = 0; i < d; ++i) u[i] = there[i] - here[i];
+  const std::size_t before = candidates.size();
+  for (unsigned e = 0; e < (1U << d); ++e) {
+    std::array<std::int64_t, 3> shifted = u;
+    for (std::size_t i = 0; i < d; ++i)
+      if ((e >> i & 1U) != 0) shifted[i] += q.small_denominator;
+    const auto vectors = closest(shifted, 2 * q.small_denominator);
+    if (!vectors) {
+      candidates.resize(before);
+      return false;
+    }
+    for (const auto& s : *vectors) {
+      std::array<std::int64_t, 3> t{};
+      for (std::size_t i = 0; i < d; ++i) t[i] = static_cast<std::int64_t>(e >> i & 1U) - 2 * s[i];
+      candidates.push_back(table.translated(t, coset));
+    }
+  }
+  return true;
+}
 
 /// All points of Hp that can be neighbours of p = g q in DT(Hp), and p + e_i first.
 /// Neighbours lie in p + 2V, V the closed Voronoi cell of the lattice, so each is, for a coset r and u = rq -
@@ -16,31 +65,21 @@ std::vector<OrbitPoint> neighbour_candidates(const Frame& frame, const GroupTabl
                                              const std::vector<Site>& sites, const Subgroup& subgroup,
                                              SiteId id, const Element& g) {
   const int d = frame.dimension;
-  const Vector q = position(table, sites, {id, Element{}});
-  const Vector p = table.isometry(g) * q;
+  const Site& site = sites[index_of(id)];
+  const auto closest = site.large ? std::nullopt : SmallClosestVectors::make(frame.gram);
   const Element back = table.inverse(g);
-  std::vector<OrbitPoint> candidates;
+  std::vector<Element> elements;
   for (int c = 0; c < table.cosets(); ++c) {
-    const Element representative{{}, static_cast<std::uint16_t>(c)};
+    const auto coset = static_cast<std::uint16_t>(c);
     // H contains the lattice, so that a coset of it is in Hg or disjoint from it.
-    if (subgroup.split(table.multiply(representative, back)).rep != 0) continue;
-    const Isometry r = table.isometry(representative);
-    const Vector u = r * q - p;
-    for (int e = 0; e < (1 << d); ++e) {
-      Vector shifted = u;
-      Vector shift(d);
-      for (int i = 0; i < d; ++i)
-        if (((e >> i) & 1) != 0) {
-          shifted[i] += 1;
-          shift[i] = 1;
-        }
-      for (const Vector& s : closest_vectors(frame.gram, Rational(Integer(1), Integer(2)) * shifted)) {
-        const Vector translation = shift - Rational(2) * s;
-        const Element h = table.element(Isometry::translate(translation) * r);
-        if (h != g) candidates.push_back({id, h});
-      }
-    }
+    if (subgroup.split(table.multiply(Element{{}, coset}, back)).rep != 0) continue;
+    if (closest && add_small_candidates(*closest, table, site, g, coset, elements)) continue;
+    const Vector q = position(table, sites, {id, Element{}});
+    add_candidates(frame, table, q, table.isometry(g) * q, coset, elements);
   }
+  std::vector<OrbitPoint> candidates;
+  for (const Element& h : elements)
+    if (h != g) candidates.push_back({id, h});
   std::sort(candidates.begin(), candidates.end());
   candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
   std::vector<OrbitPoint> result;

@@ -64,6 +64,10 @@ GroupTable::GroupTable(const Frame& frame)
   }
 }
 
+void GroupTable::throw_too_long() {
+  throw LimitReached("a group element moves by more than 32767 lattice vectors: the lattice is too long");
+}
+
 Isometry GroupTable::isometry(const Element& g) const {
   Isometry map = cosets_[g.coset];
   for (int i = 0; i < dimension_; ++i)

@@ -1,5 +1,6 @@
 /// Starring of the hole (Section 4.2), the list L and the conversion to the manifold (Section 4.1).
 #include <algorithm>
+#include <bit>
 
 #include "flatdt/ref/periodic_delaunay.hpp"
 #include "long_lattice_star.hpp"
@@ -24,15 +25,43 @@ template <int D>
 void PeriodicDelaunay<D>::note_new(CellId c) {
   // On the manifold Corollary 9 has been met for good, and without covers nothing waits for it.
   if (is_on_manifold() || insertion_ == Insertion::without_covers) return;
-  auto& cell = complex_.cell(c);
-  cell.large = setting_.circumradius->is_large(complex_.base_lift(c));
-  if (cell.large) ++large_cells_;
+  large_.resize(complex_.cell_slots(), false);
+  large_[index_of(c)] = setting_.circumradius->is_large(complex_.base_lift(c));
+  if (large_[index_of(c)]) ++large_cells_;
 }
 
 template <int D>
 void PeriodicDelaunay<D>::note_deleted(CellId c) {
-  if (complex_.cell(c).large) --large_cells_;
-  complex_.cell(c).large = false;
+  if (!is_large(c)) return;
+  --large_cells_;
+  large_[index_of(c)] = false;
+}
+
+/// The two cells of a ridge of the boundary, the first of which waits in the table, become neighbours. Both
+/// are given in coordinates where q is at its base position: the gluing is the identity.
+template <int D>
+void PeriodicDelaunay<D>::glue_at_ridge(const Ridge& ridge) {
+  std::uint64_t hash = 0;
+  for (const auto& [v, offset] : ridge.key)
+    hash = (hash ^ index_of(v) ^ offset.packed()) * 0x9e3779b97f4a7c15U;
+  const std::size_t mask = ridge_table_.size() - 1;
+  // Bounded: the table is at most half full.
+  for (std::size_t slot = hash >> 32U & mask;; slot = (slot + 1) & mask) {
+    const std::uint32_t other = ridge_table_[slot];
+    if (other == kNoRidge) {
+      ridge_table_[slot] = static_cast<std::uint32_t>(ridges_.size());
+      ridges_.push_back(ridge);
+      return;
+    }
+    Ridge& waiting = ridges_[other];
+    if (waiting.key != ridge.key) continue;
+    ensure(waiting.cell != kNoCell, "the boundary of the hole is a closed manifold");
+    complex_.set_neighbour(waiting.cell, waiting.facet, ridge.cell, Element{});
+    complex_.set_neighbour(ridge.cell, ridge.facet, waiting.cell, Element{});
+    waiting.cell = kNoCell;
+    ++glued_ridges_;
+    return;
+  }
 }
 
 template <int D>
@@ -42,23 +71,20 @@ void PeriodicDelaunay<D>::star_hole(VertexId q) {
     complex_.delete_cell(inside.cell);
   }
   ridges_.clear();
+  glued_ridges_ = 0;
+  // Each ridge is in two facets of D: half as many entries as facets times D.
+  ridge_table_.assign(std::bit_ceil(boundary_.size() * D), kNoRidge);
   for (const BoundaryFacet& b : boundary_) {
-    ensure(complex_.cell(b.outside).alive,
+    ensure(complex_.cell(b.outside).is_alive(),
            "the star of a vertex does not touch its own copies along a facet");
     const CellId c = complex_.new_cell();
-    auto& cell = complex_.cell(c);
-    cell.vertex = b.vertex;
-    cell.offset = b.offset;
-    cell.vertex[b.hole] = q;
-    cell.offset[b.hole] = Element{};
-    cell.large = false;
-    cell.visit = 0;
-    for (const VertexId v : cell.vertex) complex_.vertex(v).cell = c;
-    cell.neighbour[b.hole] = b.outside;
-    cell.gluing[b.hole] = b.outside_lift;
-    auto& outside = complex_.cell(b.outside);
-    outside.neighbour[b.outside_facet] = c;
-    outside.gluing[b.outside_facet] = setting_.table->inverse(b.outside_lift);
+    for (std::size_t k = 0; k <= D; ++k) {
+      const VertexId v = k == b.hole ? q : b.vertex[k];
+      complex_.set_vertex(c, k, v, k == b.hole ? Element{} : b.offset[k]);
+      complex_.vertex(v).cell = c;
+    }
+    complex_.set_neighbour(c, b.hole, b.outside, b.outside_lift);
+    complex_.set_neighbour(b.outside, b.outside_facet, c, setting_.table->inverse(b.outside_lift));
     for (std::uint32_t j = 0; j <= D; ++j) {
       if (j == b.hole) continue;
       Ridge ridge{{}, c, j};
@@ -66,22 +92,11 @@ void PeriodicDelaunay<D>::star_hole(VertexId q) {
         if (k != j && k != b.hole) ridge.key[i++] = {b.vertex[k], b.offset[k]};
       if constexpr (D == 3)
         if (ridge.key[1] < ridge.key[0]) std::swap(ridge.key[0], ridge.key[1]);
-      ridges_.push_back(ridge);
+      glue_at_ridge(ridge);
     }
     note_new(c);
   }
-  std::sort(ridges_.begin(), ridges_.end(), [](const Ridge& a, const Ridge& b) { return a.key < b.key; });
-  ensure(ridges_.size() % 2 == 0, "the boundary of the hole is closed");
-  for (std::size_t i = 0; i < ridges_.size(); i += 2) {
-    const Ridge& a = ridges_[i];
-    const Ridge& b = ridges_[i + 1];
-    ensure(a.key == b.key, "the boundary of the hole is a closed manifold");
-    // Both cells are given in coordinates where q is at its base position: the gluing is the identity.
-    complex_.cell(a.cell).neighbour[a.facet] = b.cell;
-    complex_.cell(a.cell).gluing[a.facet] = Element{};
-    complex_.cell(b.cell).neighbour[b.facet] = a.cell;
-    complex_.cell(b.cell).gluing[b.facet] = Element{};
-  }
+  ensure(glued_ridges_ == ridges_.size(), "the boundary of the hole is closed");
 }
 
 template <int D>

@@ -1,7 +1,6 @@
 #include "lifted_star.hpp"
 
 #include <algorithm>
-#include <map>
 
 namespace flatdt::ref {
 
@@ -16,8 +15,15 @@ void LiftedStar<D>::add(const std::array<Lift, D + 1>& lifts) {
 
 template <int D>
 bool LiftedStar<D>::insert(const Lift& p) {
+  // A facet through q of the cells that go. With their points sorted two equal ones come together.
+  struct Facet {
+    std::array<OrbitPoint, D> key;
+    std::size_t cell;
+    std::size_t opposite;
+  };
+  std::vector<Facet> facets;
   std::vector<Cell> kept;
-  std::map<std::array<OrbitPoint, D>, std::pair<int, std::array<Lift, D>>> facets;  // with how many cells go
+  std::vector<Cell> gone;
   for (const Cell& cell : cells_) {
     if (!predicates_->conflict_sos(cell.lifts, p)) {
       kept.push_back(cell);
@@ -25,25 +31,26 @@ bool LiftedStar<D>::insert(const Lift& p) {
     }
     for (std::size_t j = 0; j <= D; ++j) {
       if (cell.lifts[j].point == q_.point) continue;
-      std::array<Lift, D> facet;
+      Facet facet{{}, gone.size(), j};
       for (std::size_t k = 0, i = 0; k <= D; ++k)
-        if (k != j) facet[i++] = cell.lifts[k];
-      std::array<OrbitPoint, D> key;
-      for (std::size_t i = 0; i < D; ++i) key[i] = facet[i].point;
-      std::sort(key.begin(), key.end());
-      auto& [count, lifts] = facets[key];
-      ++count;
-      lifts = facet;
+        if (k != j) facet.key[i++] = cell.lifts[k].point;
+      std::sort(facet.key.begin(), facet.key.end());
+      facets.push_back(facet);
     }
+    gone.push_back(cell);
   }
-  if (kept.size() == cells_.size()) return false;
+  if (gone.empty()) return false;
   cells_ = std::move(kept);
-  for (const auto& [key, entry] : facets) {
-    if (entry.first != 1) continue;
-    std::array<Lift, D + 1> lifts;
-    std::copy(entry.second.begin(), entry.second.end(), lifts.begin());
-    lifts[D] = p;
-    add(lifts);
+  std::sort(facets.begin(), facets.end(), [](const Facet& a, const Facet& b) { return a.key < b.key; });
+  for (std::size_t i = 0; i < facets.size();) {
+    std::size_t end = i + 1;
+    while (end < facets.size() && facets[end].key == facets[i].key) ++end;
+    if (end == i + 1) {
+      std::array<Lift, D + 1> lifts = gone[facets[i].cell].lifts;
+      lifts[facets[i].opposite] = p;
+      add(lifts);
+    }
+    i = end;
   }
   return true;
 }

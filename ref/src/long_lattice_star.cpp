@@ -7,6 +7,12 @@
 #include "flatdt/ref/orbit_position.hpp"
 
 namespace flatdt::ref {
+namespace {
+
+/// The numbers of a point are too large for the fixed width: for this file only.
+struct DoesNotFit {};
+
+}  // namespace
 
 template <int D>
 LongLatticeStar<D>::LongLatticeStar(const Setting<D>& setting, const QuotientComplex<D>& complex,
@@ -80,25 +86,26 @@ OrbitPoint LongLatticeStar<D>::vertex_near(const Vector& x) const {
 /// A vertex of GP in conflict with the cell, if there is one.
 /// A vertex of a Delaunay triangulation that is not nearest to a point c has a neighbour nearer to c; so the
 /// walk ends at a nearest vertex, and the others that are as near form one Delaunay face with it, so that
-/// they are found along edges.
+/// they are found along edges. Distances from the circumcentre are compared by `power_of`: larger is nearer,
+/// 0 is on the sphere.
 template <int D>
-std::optional<Lift> LongLatticeStar<D>::conflicting_vertex(const typename LiftedStar<D>::Cell& cell) const {
-  const Vector centre = circumcentre(cell.lifts);
-  const Rational radius = squared_distance(centre, cell.lifts[0].point);
-  OrbitPoint nearest = vertex_near(centre);
-  Rational distance = squared_distance(centre, nearest);
+template <class PowerOf>
+std::optional<Lift> LongLatticeStar<D>::nearest_in_conflict(const typename LiftedStar<D>::Cell& cell,
+                                                            OrbitPoint nearest,
+                                                            const PowerOf& power_of) const {
+  auto power = power_of(nearest);
   for (bool nearer = true; nearer;) {
     nearer = false;
     for (const OrbitPoint& p : neighbours(nearest)) {
-      const Rational d = squared_distance(centre, p);
-      if (d >= distance) continue;
+      const auto other = power_of(p);
+      if (!(power < other)) continue;
       nearest = p;
-      distance = d;
+      power = other;
       nearer = true;
     }
   }
-  if (distance < radius) return complex_->lift(nearest);
-  if (distance > radius) return std::nullopt;
+  if (power.sign() == Sign::positive) return complex_->lift(nearest);
+  if (power.sign() == Sign::negative) return std::nullopt;
   std::vector<OrbitPoint> equals{nearest};
   std::set<OrbitPoint> known{nearest};
   for (std::size_t i = 0; i < equals.size(); ++i) {
@@ -107,9 +114,29 @@ std::optional<Lift> LongLatticeStar<D>::conflicting_vertex(const typename Lifted
                                        [&](const Lift& v) { return v.point == lift.point; });
     if (!is_vertex && setting_.predicates->conflict_sos(cell.lifts, lift)) return lift;
     for (const OrbitPoint& p : neighbours(equals[i]))
-      if (squared_distance(centre, p) == distance && known.insert(p).second) equals.push_back(p);
+      if (power_of(p) == power && known.insert(p).second) equals.push_back(p);
   }
   return std::nullopt;
+}
+
+template <int D>
+std::optional<Lift> LongLatticeStar<D>::conflicting_vertex(const typename LiftedStar<D>::Cell& cell) const {
+  const Vector centre = circumcentre(cell.lifts);
+  const OrbitPoint start = vertex_near(centre);
+  CellPoints<D> points;
+  for (std::size_t k = 0; k <= D; ++k) points[k] = cell.lifts[k].point;
+  const FixedPredicates<D>& fixed = setting_.predicates->fixed();
+  try {
+    return nearest_in_conflict(cell, start, [&](const OrbitPoint& p) {
+      const auto value = fixed.insphere_value(points, p);
+      if (!value) throw DoesNotFit{};
+      return *value;
+    });
+  } catch (const DoesNotFit&) {
+    const Rational radius = squared_distance(centre, cell.lifts[0].point);
+    return nearest_in_conflict(cell, start,
+                               [&](const OrbitPoint& p) { return radius - squared_distance(centre, p); });
+  }
 }
 
 /// The stars of all copies of q fill the union of the cells in conflict with some copy. A facet without

@@ -24,6 +24,9 @@ class LongLatticeStar {
   [[nodiscard]] std::vector<CellId> conflicts(CellId located) const;
 
  private:
+  template <class PowerOf>
+  [[nodiscard]] std::optional<Lift> nearest_in_conflict(const typename LiftedStar<D>::Cell& cell,
+                                                        OrbitPoint nearest, const PowerOf& power_of) const;
   [[nodiscard]] std::optional<Lift> conflicting_vertex(const typename LiftedStar<D>::Cell& cell) const;
   [[nodiscard]] Vector circumcentre(const std::array<Lift, D + 1>& cell) const;
   [[nodiscard]] Rational squared_distance(const Vector& centre, const OrbitPoint& p) const;

@@ -16,7 +16,7 @@ std::vector<Lift> PeriodicDelaunay<D>::possible_own_neighbours(const OrbitPoint&
   std::vector<Element> found;
   for (const Location& here : region_) {
     // With h = base * seen^-1, the copy h1 h2^-1 q is base * seen1^-1 * seen2 applied to the site.
-    for (std::uint32_t v = complex_.cell(here.cell).first_visit; v != kNoVisit; v = visits_[v].next)
+    for (std::uint32_t v = last_visit(here.cell); v != kNoVisit; v = visits_[v].previous)
       if (visits_[v].seen != here.seen)
         found.push_back(table.multiply(q.g, table.multiply(table.inverse(visits_[v].seen), here.seen)));
   }
@@ -73,7 +73,6 @@ void PeriodicDelaunay<D>::replace_by_star(const std::vector<CellPoints<D>>& star
   for (const CellId c : removed) complex_.delete_cell(c);
   for (const CellPoints<D>& points : cells) {
     const CellId c = complex_.add_cell(points, *setting_.predicates);
-    complex_.cell(c).visit = 0;
     for (std::uint32_t k = 0; k <= D; ++k) facets.push_back(complex_.facet(c, k));
   }
   complex_.glue(facets);

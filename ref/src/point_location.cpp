@@ -31,13 +31,13 @@ Location PeriodicDelaunay<D>::locate(SiteId site, const Element& query, const Or
     std::size_t k = 0;
     while (cell.vertex[k] != start) ++k;
     // The lift with this vertex at s * base is s offset^-1; the query is seen through its inverse.
-    at.seen = table.multiply(table.multiply(cell.offset[k], table.inverse(split.s)), query);
+    at.seen = table.multiply(table.multiply(complex_.offset(at.cell, k), table.inverse(split.s)), query);
   }
   CellId previous = kNoCell;
   Element previous_gluing{};
   for (;;) {
-    std::array<Lift, D + 1> lifts = complex_.base_lift(at.cell);
-    const Lift seen = complex_.lift(OrbitPoint{site, at.seen});
+    const auto lifts = complex_.base_coordinates(at.cell);
+    const auto seen = complex_.coordinates(OrbitPoint{site, at.seen});
     // A pseudo-random first facet: a fixed order makes walks long on regular grids.
     walk_state_ = walk_state_ * 6364136223846793005ULL + 1442695040888963407ULL;
     const std::uint32_t first = static_cast<std::uint32_t>(walk_state_ >> 33) % (D + 1);
@@ -45,11 +45,17 @@ Location PeriodicDelaunay<D>::locate(SiteId site, const Element& query, const Or
     for (std::uint32_t i = 0; i <= D && !moved_on; ++i) {
       const std::uint32_t k = (first + i) % (D + 1);
       const auto& cell = complex_.cell(at.cell);
-      if (cell.neighbour[k] == previous && cell.gluing[k] == previous_gluing) continue;
-      std::array<Lift, D + 1> replaced = lifts;
+      if (cell.neighbour[k] == previous && complex_.gluing(at.cell, k) == previous_gluing) continue;
+      auto replaced = lifts;
       replaced[k] = seen;
-      if (setting_.predicates->orientation(replaced) != Sign::negative) continue;
-      const Element back = table.inverse(cell.gluing[k]);
+      std::optional<Sign> side = setting_.predicates->quick_orientation(replaced);
+      if (!side) {
+        std::array<Lift, D + 1> exactly = complex_.base_lift(at.cell);
+        exactly[k] = complex_.lift(OrbitPoint{site, at.seen});
+        side = setting_.predicates->orientation(exactly);
+      }
+      if (*side != Sign::negative) continue;
+      const Element back = table.inverse(complex_.gluing(at.cell, k));
       previous = at.cell;
       previous_gluing = back;
       at = {cell.neighbour[k], table.multiply(back, at.seen)};

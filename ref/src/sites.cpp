@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "small_sites.hpp"
+
 namespace flatdt::ref {
 namespace {
 
@@ -33,7 +35,7 @@ Integer common_denominator(const Vector& v) {
 
 }  // namespace
 
-std::vector<Site> make_sites(const Frame& frame, const std::vector<Vector>& points) {
+std::vector<Site> make_general_sites(const Frame& frame, const std::vector<Vector>& points) {
   const int d = frame.dimension;
   const Matrix to_frame = frame.basis.inverse();
   const Matrix from_catalogue = frame.to_catalogue.inverse();
@@ -65,19 +67,19 @@ std::vector<Site> make_sites(const Frame& frame, const std::vector<Vector>& poin
       all.end());
 
   const Integer translation_denominator(static_cast<long>(frame.translation_denominator));
-  std::vector<Site> sites;
+  std::vector<Site> sites(all.size());
   std::vector<Vector> positions;
+  std::vector<LargeSite> exact;
   Integer common = translation_denominator;
-  for (const Canonical& k : all) {
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Canonical& k = all[i];
     const Vector y = from_catalogue * k.c;
     const Vector shift = floor_vector(y);
     positions.push_back(y - shift);
     if (common.bits() <= kCommonDenominatorBits) common = lcm(common, common_denominator(positions.back()));
-    Site site;
-    site.point = k.point;
+    sites[i].point = k.point;
     // p = to_point c (catalogue) = (F^-1 to_point F) T(shift) d in the frame, F = to_catalogue.
-    site.from_site = to_catalogue_inverse * k.to_point * to_catalogue * Isometry::translate(shift);
-    sites.push_back(std::move(site));
+    exact.push_back({{}, {}, to_catalogue_inverse * k.to_point * to_catalogue * Isometry::translate(shift)});
   }
   for (std::size_t i = 0; i < sites.size(); ++i) {
     Site& site = sites[i];
@@ -86,16 +88,46 @@ std::vector<Site> make_sites(const Frame& frame, const std::vector<Vector>& poin
       throw LimitReached("point " + std::to_string(site.point) + " has a common denominator of " +
                          std::to_string(own.bits()) + " bits in the lattice frame; the limit is 8192");
     const Integer denominator = common.bits() <= kCommonDenominatorBits ? common : own;
-    site.denominator = denominator.mpz();
+    exact[i].denominator = denominator.mpz();
     for (int j = 0; j < d; ++j) {
       const auto k = static_cast<std::size_t>(j);
       const Rational scaled = positions[i][j] * Rational(denominator);
       ensure(scaled.is_integer(), "the denominator clears every coordinate");
-      site.numerators[k] = scaled.numerator().mpz();
+      exact[i].numerators[k] = scaled.numerator().mpz();
       site.approximate[k] = positions[i][j].to_double();
     }
+    site.large = std::make_shared<const LargeSite>(std::move(exact[i]));
   }
   return sites;
+}
+
+SiteMaps::SiteMaps(const Frame& frame)
+    : to_catalogue(Isometry{frame.to_catalogue, Vector(frame.dimension)} *
+                   Isometry{frame.basis, frame.origin}.inverse()),
+      from_catalogue{frame.to_catalogue.inverse(), Vector(frame.dimension)} {
+  for (const Isometry& g : frame.cosets) {
+    catalogue_cosets.push_back(Isometry{frame.to_catalogue, Vector(frame.dimension)} * g * from_catalogue);
+    std::uint16_t k = 0;
+    while (!(frame.cosets[k].linear * g.linear).is_identity()) ++k;
+    inverse_coset.push_back(k);
+  }
+}
+
+std::vector<Site> make_sites(const Frame& frame, const SiteMaps& maps, const std::vector<Vector>& points) {
+  if (auto sites = make_small_sites(frame, maps, points)) return *std::move(sites);
+  return make_general_sites(frame, points);
+}
+
+std::vector<Site> make_sites(const Frame& frame, const std::vector<Vector>& points) {
+  return make_sites(frame, SiteMaps(frame), points);
+}
+
+Isometry Site::from_site(const Frame& frame) const {
+  if (large) return large->from_site;
+  Isometry element = frame.cosets[coset];
+  for (int i = 0; i < frame.dimension; ++i)
+    element.translation[i] += Rational(static_cast<long>(translation[static_cast<std::size_t>(i)]));
+  return element;
 }
 
 }  // namespace flatdt::ref

@@ -8,6 +8,14 @@ namespace {
 
 using Edge = std::array<OrbitPoint, 2>;
 
+/// An edge from a point that is its site's representative modulo a group, seen from it.
+struct End {
+  SiteId from;
+  std::uint32_t rep;
+  OrbitPoint to;
+  friend auto operator<=>(const End&, const End&) = default;
+};
+
 template <int D>
 std::vector<Edge> edges_modulo(const GroupTable& table, const Subgroup& subgroup,
                                const std::vector<CellPoints<D>>& cells) {
@@ -44,24 +52,48 @@ std::optional<ShortCycle> find_short_cycle(const GroupTable& table, const std::v
 }
 
 template <int D>
-bool is_simplicial(const GroupTable& table, const Subgroup& subgroup,
-                   const std::vector<CellPoints<D>>& cells) {
-  using Vertex = std::pair<SiteId, std::uint32_t>;
-  std::vector<std::pair<Vertex, Vertex>> ends;
-  for (const Edge& e : edges_modulo<D>(table, subgroup, cells)) {
-    Vertex a{e[0].site, subgroup.split(e[0].g).rep};
-    Vertex b{e[1].site, subgroup.split(e[1].g).rep};
-    if (a == b) return false;
-    if (b < a) std::swap(a, b);
-    ends.emplace_back(a, b);
-  }
+std::vector<Element> cycle_translations(const GroupTable& table, const Subgroup& group,
+                                        const std::vector<CellPoints<D>>& cells) {
+  std::vector<End> ends;
+  ends.reserve(cells.size() * D * (D + 1));
+  for (const CellPoints<D>& cell : cells)
+    for (std::size_t i = 0; i <= D; ++i) {
+      const Subgroup::Split split = group.split(cell[i].g);
+      const Element mover = table.inverse(split.s);
+      for (std::size_t j = 0; j <= D; ++j)
+        if (j != i)
+          ends.push_back({cell[i].site, split.rep, {cell[j].site, table.multiply(mover, cell[j].g)}});
+    }
   std::sort(ends.begin(), ends.end());
-  return std::adjacent_find(ends.begin(), ends.end()) == ends.end();
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  std::vector<Element> found;
+  const auto note = [&](const Element& g, const Element& h) {
+    const Element t = table.multiply(g, table.inverse(h));
+    if (t.coset == 0) found.push_back(t);
+  };
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    const End& e = ends[i];
+    if (e.to.site == e.from) note(e.to.g, group.representative(e.rep));
+    for (std::size_t j = i + 1;
+         j < ends.size() && ends[j].from == e.from && ends[j].rep == e.rep && ends[j].to.site == e.to.site;
+         ++j)
+      note(ends[j].to.g, e.to.g);
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+bool contains_any(const Subgroup& sublattice, const std::vector<Element>& translations) {
+  return std::any_of(translations.begin(), translations.end(),
+                     [&](const Element& t) { return sublattice.split(t).rep == 0; });
 }
 
 template std::optional<ShortCycle> find_short_cycle<2>(const GroupTable&, const std::vector<CellPoints<2>>&);
 template std::optional<ShortCycle> find_short_cycle<3>(const GroupTable&, const std::vector<CellPoints<3>>&);
-template bool is_simplicial<2>(const GroupTable&, const Subgroup&, const std::vector<CellPoints<2>>&);
-template bool is_simplicial<3>(const GroupTable&, const Subgroup&, const std::vector<CellPoints<3>>&);
+template std::vector<Element> cycle_translations<2>(const GroupTable&, const Subgroup&,
+                                                    const std::vector<CellPoints<2>>&);
+template std::vector<Element> cycle_translations<3>(const GroupTable&, const Subgroup&,
+                                                    const std::vector<CellPoints<3>>&);
 
 }  // namespace flatdt::ref

@@ -1,5 +1,7 @@
 #include "flatdt/ref/tie_order.hpp"
 
+#include "flatdt/ref/wide_integer.hpp"
+
 namespace flatdt::ref {
 namespace {
 
@@ -46,6 +48,13 @@ TieOrder::TieOrder(const Frame& frame, const GroupTable& table)
       rows_[half].push_back(row);
     }
   }
+  bool small = true;
+  for (const auto& rows : rows_)
+    for (const auto& row : rows)
+      for (const Integer& entry : row) small = small && entry.bits() <= 31;
+  for (std::size_t half = 0; small && half < 2; ++half)
+    for (const auto& row : rows_[half])
+      small_rows_[half].push_back({row[0].to_long(), row[1].to_long(), row[2].to_long()});
 }
 
 bool TieOrder::element_less(const Element& g, const Element& h) const {
@@ -53,6 +62,13 @@ bool TieOrder::element_less(const Element& g, const Element& h) const {
   if (first != in_first_half_[h.coset]) return first;
   const std::array<std::int64_t, 3> kg = table_->left_order_key(g);
   const std::array<std::int64_t, 3> kh = table_->left_order_key(h);
+  // Keys are below 2^31: a few thousand times 2^15, the bound of an element's translations.
+  for (const auto& row : small_rows_[first ? 0 : 1]) {
+    Int128 difference = 0;
+    for (std::size_t j = 0; j < 3; ++j) difference += static_cast<Int128>(row[j]) * (kg[j] - kh[j]);
+    if (difference != 0) return difference < 0;
+  }
+  if (!small_rows_[first ? 0 : 1].empty()) return false;
   for (const std::array<Integer, 3>& row : rows_[first ? 0 : 1]) {
     Integer difference;
     for (std::size_t j = 0; j < 3; ++j) difference += row[j] * Integer(static_cast<long>(kg[j] - kh[j]));

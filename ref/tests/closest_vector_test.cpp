@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lattice_samples.hpp"
+#include "small_closest_vectors.hpp"
 
 namespace flatdt::ref {
 namespace {
@@ -29,6 +30,25 @@ std::vector<Vector> closest_by_exhaustion(const Matrix& gram, const Vector& x, i
   return closest;
 }
 
+std::vector<Vector> closest_in_machine_integers(const Matrix& gram, const Vector& x) {
+  Integer common = 1;
+  for (int i = 0; i < x.dimension(); ++i) common = lcm(common, x[i].denominator());
+  SmallClosestVectors::Coordinates numerators{};
+  for (int i = 0; i < x.dimension(); ++i)
+    numerators[static_cast<std::size_t>(i)] = (Rational(common) * x[i]).numerator().to_long();
+  const auto search = SmallClosestVectors::make(gram);
+  if (!search) return {};
+  const auto found = (*search)(numerators, common.to_long());
+  std::vector<Vector> closest;
+  for (const auto& s : found.value()) {
+    closest.emplace_back(x.dimension());
+    for (int i = 0; i < x.dimension(); ++i)
+      closest.back()[i] = static_cast<long>(s[static_cast<std::size_t>(i)]);
+  }
+  std::sort(closest.begin(), closest.end());
+  return closest;
+}
+
 TEST(ClosestVectors, FindsAllTies) {
   Random random(1);
   std::size_t most_ties = 0;
@@ -40,6 +60,7 @@ TEST(ClosestVectors, FindsAllTies) {
     const std::vector<Vector> expected = closest_by_exhaustion(gram, x, 4);
     ASSERT_EQ(closest_vectors(gram, x), expected) << gram.to_string() << " | " << x.to_string();
     most_ties = std::max(most_ties, expected.size());
+    ASSERT_EQ(closest_in_machine_integers(gram, x), expected) << gram.to_string() << " | " << x.to_string();
     // The same lattice in a skew basis.
     const Matrix skew = random_unimodular(random, d, 8);
     std::vector<Vector> images;

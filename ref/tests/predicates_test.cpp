@@ -6,6 +6,7 @@
 
 #include "flatdt/ref/families.hpp"
 #include "flatdt/ref/group_analysis.hpp"
+#include "flatdt/ref/instance_format.hpp"
 
 namespace flatdt::ref {
 namespace {
@@ -35,6 +36,7 @@ struct World {
         sites(make_sites(analysis.frame, instance.points)),
         order(analysis.frame, table),
         filtered(analysis.frame, table, sites, order, PredicateStages::filtered),
+        fixed(analysis.frame, table, sites, order, PredicateStages::fixed_only),
         exact(analysis.frame, table, sites, order, PredicateStages::exact_only) {}
 
   OrbitPoint random_point(SplitMix& random, int reach) const {
@@ -50,8 +52,7 @@ struct World {
   Vector position(const OrbitPoint& p) const {
     Vector x(D);
     const Site& site = sites[index_of(p.site)];
-    for (int i = 0; i < D; ++i)
-      x[i] = Rational(Integer(site.numerators[static_cast<std::size_t>(i)]), Integer(site.denominator));
+    for (int i = 0; i < D; ++i) x[i] = Rational(site.numerator(i), site.denominator());
     return table.isometry(p.g) * x;
   }
 
@@ -60,7 +61,7 @@ struct World {
   GroupTable table;
   std::vector<Site> sites;
   TieOrder order;
-  Predicates<D> filtered, exact;
+  Predicates<D> filtered, fixed, exact;
 };
 
 Instance make(const char* manifold, const char* family, long n, std::uint64_t seed) {
@@ -94,6 +95,7 @@ void stages_agree(const Instance& instance, std::uint64_t seed, int& zero_orient
     for (Lift& p : cell) p = world.lift(world.random_point(random, round % 3));
     const Sign orientation = world.exact.orientation(cell);
     ASSERT_EQ(world.filtered.orientation(cell), orientation);
+    ASSERT_EQ(world.fixed.orientation(cell), orientation);
     if (orientation == Sign::zero) {
       ++zero_orientations;
       continue;
@@ -105,6 +107,7 @@ void stages_agree(const Instance& instance, std::uint64_t seed, int& zero_orient
     if (is_vertex) continue;
     const Sign insphere = world.exact.insphere(cell, w);
     ASSERT_EQ(world.filtered.insphere(cell, w), insphere);
+    ASSERT_EQ(world.fixed.insphere(cell, w), insphere);
     ASSERT_EQ(insphere_by_definition<D>(world, cell, w), insphere);
     if (insphere == Sign::zero) ++zero_inspheres;
     // The perturbed predicate never contradicts the exact one and does not depend on the listing of the cell.
@@ -136,6 +139,41 @@ TEST(Predicates, StagesAgreeOnEveryManifoldAndFamily) {
   // The degenerate cases were really visited.
   EXPECT_GT(zero_orientations, 100);
   EXPECT_GT(zero_inspheres, 100);
+}
+
+/// A metric and a denominator just inside and just outside the limits of the fixed width, 2^62 each, and
+/// coordinates that differ by almost a period: the products come as near to their bounds as they can.
+TEST(Predicates, FixedWidthAtItsLimits) {
+  for (const int bits : {20, 40, 60, 61, 62, 63}) {
+    const mpz_class one = 1;
+    const std::string large = mpz_class((one << static_cast<unsigned long>(bits)) - 1).get_str();
+    const std::string denominator = mpz_class((one << 61U) - 1).get_str();
+    const std::string almost = mpz_class((one << 61U) - 3).get_str() + "/" + denominator;
+    const std::string few = "2/" + denominator;
+    const std::string text = "flatdt-instance 1\ndimension 3\nmanifold 3-torus\nmetric " + large + " 1 -1 " +
+                             large + " 1 " + large + "\npoints 4\n0 0 0\n" + almost + " " + few + " 0\n" +
+                             few + " " + almost + " " + few + "\n" + almost + " " + almost + " " + almost +
+                             "\n";
+    const Instance instance = parse_instance(text, "limits");
+    const World<3> world(instance);
+    const FixedPredicates<3> fixed(world.analysis.frame, world.table, world.sites);
+    ExactPredicates<3> exact(world.analysis.frame, world.table, world.sites);
+    SplitMix random(static_cast<std::uint64_t>(bits));
+    int spoken = 0;
+    for (int round = 0; round < 300; ++round) {
+      std::array<OrbitPoint, 4> cell;
+      for (OrbitPoint& p : cell) p = world.random_point(random, round % 3);
+      const OrbitPoint w = world.random_point(random, round % 3);
+      if (const auto sign = fixed.orientation(cell)) {
+        ASSERT_EQ(*sign, exact.orientation(cell));
+      }
+      if (const auto sign = fixed.insphere(cell, w)) {
+        ++spoken;
+        ASSERT_EQ(*sign, exact.insphere(cell, w));
+      }
+    }
+    EXPECT_EQ(spoken > 0, bits <= 62) << bits;
+  }
 }
 
 /// Each point keeps a denominator of its own when the common one would be too long: d + 2 points are

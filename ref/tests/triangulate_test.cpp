@@ -78,9 +78,15 @@ TEST(Triangulate, BytesDoNotDependOnOrderCoverOrStage) {
         options.order_seed = order;
         EXPECT_EQ(bytes(instance, options), expected) << entry.name << " " << family;
       }
-      TriangulationOptions exact;
-      exact.stages = PredicateStages::exact_only;
-      EXPECT_EQ(bytes(instance, exact), expected) << entry.name << " " << family;
+      for (const PredicateStages stages :
+           {PredicateStages::filter_only, PredicateStages::fixed_only, PredicateStages::exact_only}) {
+        TriangulationOptions options;
+        options.stages = stages;
+        EXPECT_EQ(bytes(instance, options), expected) << entry.name << " " << family;
+      }
+      TriangulationOptions one_by_one;
+      one_by_one.order = InsertionOrder::random;
+      EXPECT_EQ(bytes(instance, one_by_one), expected) << entry.name << " " << family;
       TriangulationOptions theorem10;
       theorem10.insertion = Insertion::covering;
       theorem10.cover = CoverChoice::theorem10;
@@ -257,7 +263,7 @@ TEST(Covers, BoundingOneEndOfAnEdgeIsNotEnough) {
       level.insert(q, rep,
                    level.locate(q, copy, level.start_near(level.complex().lift(OrbitPoint{q, copy}))));
     }
-    return is_simplicial<2>(table, subgroup, level.complex().all_cells());
+    return !contains_any(subgroup, cycle_translations<2>(table, subgroup, level.complex().all_cells()));
   };
   Element six;
   six.t[0] = 6;

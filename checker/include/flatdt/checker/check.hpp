@@ -6,6 +6,13 @@
 
 namespace flatdt::checker {
 
+/// The stages of exact arithmetic that may be used where they apply. The verdict, with all witnesses, is the
+/// same for every choice; tests force each.
+struct Stages {
+  bool filter = true;       ///< floating point with certified bounds
+  bool fixed_width = true;  ///< machine integers, where all numbers of the input fit
+};
+
 /// Judges whether `triangulation` is a Delaunay triangulation of the points of `instance` in E^d/H.
 /// Returns:  the status of every condition with its witness, and the verdict; never throws for an input's
 /// fault. A limit
@@ -16,6 +23,7 @@ namespace flatdt::checker {
 ///           faces for topology.homology, which is then skipped.
 /// Cost:     expected O(n log n) for n cells, in operations on numbers of the size of the input's.
 /// Source:   FORMAT.md; docs/soundness.md proves that `verified` is given exactly to the correct ones.
-[[nodiscard]] Verdict check(const Instance& instance, const Triangulation& triangulation);
+[[nodiscard]] Verdict check(const Instance& instance, const Triangulation& triangulation,
+                            const Stages& stages = {});
 
 }  // namespace flatdt::checker

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 namespace flatdt::checker {
 
@@ -19,7 +20,7 @@ template <class T>
 using Mat = std::array<std::array<T, 3>, 3>;
 
 /// The sign of an exact number.
-enum class Sign { negative = -1, zero = 0, positive = 1 };
+enum class Sign : std::int8_t { negative = -1, zero = 0, positive = 1 };
 
 /// Sign of an exact number.
 template <class Number>

@@ -2,6 +2,10 @@
 /// ball.
 #pragma once
 
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <set>
 #include <vector>
 
 #include "flatdt/ref/quotient_complex.hpp"
@@ -14,31 +18,78 @@ struct Interval {
   double hi = 0;
 };
 
+/// What depends on the metric and the group alone.
+template <int D>
+struct CircumradiusConstants {
+  explicit CircumradiusConstants(const Frame& frame);
+  Rational threshold;  // delta^2 / 16
+  Interval threshold_interval;
+  std::array<std::array<Interval, D>, D> gram;
+  std::array<std::array<double, D>, D> approximate_gram{};
+  std::array<std::array<double, D>, D> approximate_adjoint{};
+  double approximate_determinant = 0;
+  double gram_sum = 0;     // of the absolute values of the entries
+  double adjoint_sum = 0;  // of the adjoint's
+  double row_sum = 1;      // the largest of a linear part
+};
+
 template <int D>
 class Circumradius {
  public:
-  Circumradius(const Frame& frame, Predicates<D>& predicates);
+  Circumradius(const Frame& frame, Predicates<D>& predicates)
+      : Circumradius(std::make_shared<const CircumradiusConstants<D>>(frame), predicates) {}
+  Circumradius(std::shared_ptr<const CircumradiusConstants<D>> constants, Predicates<D>& predicates)
+      : predicates_(&predicates), c_(std::move(constants)) {}
 
   /// Is 16 R^2 >= delta^2, R the circumradius of the cell? Such cells make up the list L of Section 4.1.
   /// Corollary 9 asks for diameter 2R < delta/2; the "threshold delta" of Section 4.1 is a slip (DESIGN).
   [[nodiscard]] bool is_large(const std::array<Lift, D + 1>& cell);
 
   /// Delta^2 = 4 max R^2 over the cells (exact, Gram units): the squared diameter of the largest empty ball.
-  /// Requires: at least one cell.
-  [[nodiscard]] Rational squared_diameter(const std::vector<std::array<Lift, D + 1>>& cells);
+  /// `lift(p)` is the lift of a point of GP. Requires: at least one cell.
+  template <class LiftOf>
+  [[nodiscard]] Rational squared_diameter(const std::vector<CellPoints<D>>& cells, const LiftOf& lift) {
+    std::vector<Candidate> candidates;
+    std::set<typename FixedPredicates<D>::Edges> known;
+    double least = -1;
+    for (const CellPoints<D>& points : cells) {
+      std::array<Lift, D + 1> cell;
+      for (std::size_t k = 0; k <= D; ++k) cell[k] = lift(points[k]);
+      if (upper_bound(cell) < least) continue;
+      // Congruent cells, of which lattices have many, are compared once.
+      const auto edges = predicates_->fixed().edges(points);
+      if (edges && !known.insert(*edges).second) continue;
+      const Interval r = enclose(cell, kUnbounded);
+      if (r.hi < least) continue;
+      least = std::max(least, r.lo);
+      candidates.push_back({r.hi, points});
+    }
+    return largest(candidates, least);
+  }
 
  private:
+  /// A cell that may have the largest ball.
+  struct Candidate {
+    double upper;
+    CellPoints<D> points;
+  };
+  static constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+
+  /// 4 R^2 of the largest of the candidates, those with an upper bound below `least` left out.
+  [[nodiscard]] Rational largest(const std::vector<Candidate>& candidates, double least);
+  /// An upper bound of R^2 in Gram units, quickly found; infinite when the doubles cannot tell.
+  /// Error analysis: at its definition.
+  [[nodiscard]] double upper_bound(const std::array<Lift, D + 1>& cell) const;
   /// Enclosure of R^2 in Gram units; the whole real line when the doubles cannot tell. May stop at a lower
   /// bound that is at least `enough`.
   [[nodiscard]] Interval enclose(const std::array<Lift, D + 1>& cell, double enough) const;
 
   Predicates<D>* predicates_;
-  Rational threshold_;  // delta^2 / 16
-  Interval threshold_interval_;
-  std::array<std::array<Interval, D>, D> gram_;
-  double row_sum_;
+  std::shared_ptr<const CircumradiusConstants<D>> c_;
 };
 
+extern template struct CircumradiusConstants<2>;
+extern template struct CircumradiusConstants<3>;
 extern template class Circumradius<2>;
 extern template class Circumradius<3>;
 

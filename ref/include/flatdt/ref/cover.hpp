@@ -48,6 +48,11 @@ inline constexpr long kMaxSearchWork = 300'000'000;
 /// Index at most 3^d: 3h in 4V means <3h,n> <= 2 <n,n> for all n of L; n = h gives h = 0.
 Sublattice complete_orbit_cover(const Frame& frame);
 
+/// The sublattice of least index (ties as above) that is invariant under the holonomy and contains none of
+/// the given vectors. Requires: they are symmetric, without 0, integral, and lie in 4V, so that the index is
+/// at most that of complete_orbit_cover.
+Sublattice smallest_cover_without(const Frame& frame, const std::vector<Vector>& vectors);
+
 /// The criterion of one_at_a_time_cover: every nonzero vector of the sublattice (columns) is longer than 4
 /// mu.
 bool is_safe_for_single_copies(const Matrix& gram, const Matrix& sublattice);

@@ -120,6 +120,20 @@ class Rational {
     value_ *= o.value_;
     return *this;
   }
+  /// Adds factor * b; without a division where b is an integer.
+  void add_multiple(long factor, const Rational& b) {
+    if (b.is_zero()) return;
+    if (b.value_.get_den() != 1) {
+      value_ += b.value_ * factor;
+      return;
+    }
+    // p/q + f b = (p + f b q) / q stays reduced.
+    const mpz_class product = b.value_.get_num() * value_.get_den();
+    if (factor >= 0)
+      mpz_addmul_ui(value_.get_num_mpz_t(), product.get_mpz_t(), static_cast<unsigned long>(factor));
+    else
+      mpz_submul_ui(value_.get_num_mpz_t(), product.get_mpz_t(), -static_cast<unsigned long>(factor));
+  }
   friend Rational operator+(const Rational& a, const Rational& b) { return made(a.value_ + b.value_); }
   friend Rational operator-(const Rational& a, const Rational& b) { return made(a.value_ - b.value_); }
   friend Rational operator*(const Rational& a, const Rational& b) { return made(a.value_ * b.value_); }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -18,10 +19,24 @@ struct OrbitPoint {
   friend auto operator<=>(const OrbitPoint&, const OrbitPoint&) = default;
 };
 
+/// The Gram matrix scaled to integers.
+template <int D>
+struct IntegralMetric {
+  explicit IntegralMetric(const Frame& frame);
+  mpz_class denominator;
+  std::array<std::array<mpz_class, D>, D> gram;
+  std::array<std::array<mpz_class, D>, D> adjoint;  // of the scaled matrix
+  mpz_class determinant;
+};
+
 template <int D>
 class ExactPredicates {
  public:
-  ExactPredicates(const Frame& frame, const GroupTable& table, const std::vector<Site>& sites);
+  ExactPredicates(const Frame& frame, const GroupTable& table, const std::vector<Site>& sites)
+      : ExactPredicates(std::make_shared<const IntegralMetric<D>>(frame), table, sites) {}
+  ExactPredicates(std::shared_ptr<const IntegralMetric<D>> metric, const GroupTable& table,
+                  const std::vector<Site>& sites)
+      : table_(&table), sites_(&sites), metric_(std::move(metric)) {}
 
   /// Sign of det(p_1 - p_0, ..., p_D - p_0).
   [[nodiscard]] Sign orientation(const std::array<OrbitPoint, D + 1>& p);
@@ -44,11 +59,9 @@ class ExactPredicates {
 
   const GroupTable* table_;
   const std::vector<Site>* sites_;
-  mpz_class gram_denominator_;
-  std::array<std::array<mpz_class, D>, D> gram_;          // scaled to integers
-  std::array<std::array<mpz_class, D>, D> gram_adjoint_;  // of the scaled matrix
-  mpz_class gram_determinant_;
+  std::shared_ptr<const IntegralMetric<D>> metric_;
 
+  Row small_;
   std::array<Row, D + 2> points_;
   std::array<mpz_class, D + 2> denominators_;
   std::array<Row, D + 1> rows_;
@@ -57,6 +70,8 @@ class ExactPredicates {
   mpz_class common_, t0_, t1_, det_;
 };
 
+extern template struct IntegralMetric<2>;
+extern template struct IntegralMetric<3>;
 extern template class ExactPredicates<2>;
 extern template class ExactPredicates<3>;
 

@@ -25,7 +25,8 @@ class FiniteStar {
  private:
   using Apexes = std::array<std::size_t, D>;  // candidate indices of the vertices other than q
 
-  [[nodiscard]] std::array<Lift, D + 1> oriented(const Apexes& apexes, Sign& sign);
+  [[nodiscard]] Sign orientation(const Apexes& apexes) const;
+  [[nodiscard]] std::array<Lift, D + 1> oriented(const Apexes& apexes, Sign& sign) const;
   [[nodiscard]] bool contains_ray(const Apexes& apexes) const;
   [[nodiscard]] Apexes first_cell();
   [[nodiscard]] Apexes wrap(const Apexes& apexes, std::size_t opposite);
@@ -33,7 +34,6 @@ class FiniteStar {
   Predicates<D>* predicates_;
   Lift q_;
   std::vector<Lift> candidates_;
-  std::vector<Vector> difference_;  // candidate - q, frame coordinates
 };
 
 extern template class FiniteStar<2>;

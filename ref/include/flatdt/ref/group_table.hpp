@@ -3,6 +3,7 @@
 /// Invariants: an Element {coset c, t} is the map x -> R_c x + tau_c + t in frame coordinates, t integral.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <compare>
 #include <cstdint>
@@ -21,6 +22,13 @@ struct Element {
   /// A total order for sorting; it has no geometric meaning.
   friend auto operator<=>(const Element&, const Element&) = default;
   [[nodiscard]] bool is_identity() const { return *this == Element{}; }
+  /// All of it in one number.
+  [[nodiscard]] std::uint64_t packed() const {
+    const auto bits = [](std::int16_t value) {
+      return static_cast<std::uint64_t>(static_cast<std::uint16_t>(value));
+    };
+    return bits(t[0]) | bits(t[1]) << 16U | bits(t[2]) << 32U | static_cast<std::uint64_t>(coset) << 48U;
+  }
 };
 
 class GroupTable {
@@ -62,6 +70,25 @@ class GroupTable {
             r[3] * x[0] + r[4] * x[1] + r[5] * x[2] + tau[1] + g.t[1],
             r[6] * x[0] + r[7] * x[1] + r[8] * x[2] + tau[2] + g.t[2]};
   }
+  /// g x exactly, for x over a denominator that is a multiple of translation_denominator().
+  /// Requires: denominator < 2^42 and |x| < 2^42, so that 2^16 lattice vectors stay below 2^60.
+  [[nodiscard]] std::array<std::int64_t, 3> apply(const Element& g, const std::array<std::int64_t, 3>& x,
+                                                  std::int64_t denominator) const {
+    const Linear& r = linear_[g.coset];
+    std::array<std::int64_t, 3> result{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      result[i] = denominator / denominator_ * scaled_tau_[g.coset][i] + denominator * g.t[i];
+      for (std::size_t j = 0; j < 3; ++j) result[i] += r[3 * i + j] * x[j];
+    }
+    return result;
+  }
+  /// The translation by t after a coset's representative. Throws LimitReached when it does not fit.
+  [[nodiscard]] Element translated(const std::array<std::int64_t, 3>& t, std::uint16_t coset) const {
+    const auto clipped = [](std::int64_t x) {
+      return static_cast<int>(std::clamp<std::int64_t>(x, -100'000, 100'000));
+    };
+    return checked(clipped(t[0]), clipped(t[1]), clipped(t[2]), coset);
+  }
   /// The linear part R_c, row by row (3 x 3, unused entries 0).
   using Linear = std::array<int, 9>;
   [[nodiscard]] const Linear& linear(int coset) const { return linear_[static_cast<std::size_t>(coset)]; }
@@ -85,10 +112,11 @@ class GroupTable {
     std::uint16_t coset = 0;
   };
 
+  /// Apart, so that checked() is inlined.
+  [[noreturn, gnu::cold]] static void throw_too_long();
   static Element checked(int x, int y, int z, std::uint16_t coset) {
     constexpr int kLimit = 32767;
-    if (x > kLimit || x < -kLimit || y > kLimit || y < -kLimit || z > kLimit || z < -kLimit)
-      throw LimitReached("a group element moves by more than 32767 lattice vectors: the lattice is too long");
+    if (x > kLimit || x < -kLimit || y > kLimit || y < -kLimit || z > kLimit || z < -kLimit) throw_too_long();
     return Element{{static_cast<std::int16_t>(x), static_cast<std::int16_t>(y), static_cast<std::int16_t>(z)},
                    coset};
   }

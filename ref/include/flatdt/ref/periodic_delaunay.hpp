@@ -73,9 +73,12 @@ class PeriodicDelaunay {
   /// 7). In a cover that is safe in the sense of cover.hpp this cannot happen: then it is an InternalError.
   void insert(SiteId site, std::uint32_t rep, const Location& at);
   void add_site(SiteId site) { complex_.add_site(site); }
+  /// Makes room for the triangulation of this many orbits.
+  void reserve(std::size_t orbits) { complex_.reserve(orbits * copies()); }
 
   /// Number of cells in L: those with 16 R^2 >= delta^2.
   [[nodiscard]] std::size_t large_cells() const { return large_cells_; }
+  [[nodiscard]] bool is_large(CellId c) const { return index_of(c) < large_.size() && large_[index_of(c)]; }
   /// Step 2 of Section 4.1. Requires: L is empty and whole orbits only.
   void convert_to_manifold();
 
@@ -97,11 +100,13 @@ class PeriodicDelaunay {
   };
   /// A lift of a cell met by a search: from it the query point is seen at `seen`.
   struct Visit {
+    CellId cell;
     Element seen;
     bool conflict;
-    std::uint32_t next;  // of the same cell
+    std::uint32_t previous;  // of the same cell
   };
   static constexpr std::uint32_t kNoVisit = 0xffffffffU;
+  static constexpr std::uint32_t kNoRidge = 0xffffffffU;
 
   /// Whether the whole region has been found.
   [[nodiscard]] bool collect_conflicts(const OrbitPoint& q, const Location& at);
@@ -109,6 +114,12 @@ class PeriodicDelaunay {
   void record_visit(const Location& where, bool conflict);
   [[nodiscard]] bool in_conflict(CellId c, const OrbitPoint& seen) const;
   void add_boundary_facet(const Location& inside, std::uint32_t facet, const Element& lift);
+  /// The latest visit of a cell in the present search.
+  [[nodiscard]] std::uint32_t last_visit(CellId c) const {
+    const std::uint32_t v = complex_.cell(c).visit;
+    return v < visits_.size() && visits_[v].cell == c ? v : kNoVisit;
+  }
+  void glue_at_ridge(const Ridge& ridge);
   void star_hole(VertexId q);
   [[nodiscard]] std::vector<Lift> possible_own_neighbours(const OrbitPoint& q) const;
   [[nodiscard]] std::vector<CellPoints<D>> star_among_own_copies(const OrbitPoint& q) const;
@@ -120,7 +131,7 @@ class PeriodicDelaunay {
   Insertion insertion_;
   QuotientComplex<D> complex_;
   std::size_t large_cells_ = 0;
-  std::uint32_t visit_ = 0;
+  std::vector<bool> large_;  // by cell: belongs to the list L (Section 4.1)
   std::uint64_t walk_state_ = 0x9e3779b97f4a7c15ULL;
   // Kept between insertions.
   std::vector<Visit> visits_;
@@ -129,6 +140,8 @@ class PeriodicDelaunay {
   std::vector<Location> region_;
   std::vector<BoundaryFacet> boundary_;
   std::vector<Ridge> ridges_;
+  std::vector<std::uint32_t> ridge_table_;  // open addressing: indices of ridges_
+  std::size_t glued_ridges_ = 0;
 };
 
 extern template class PeriodicDelaunay<2>;

@@ -1,14 +1,16 @@
-/// Orientation and perturbed insphere of points of GP: the floating-point filter, then exact integers, then
-/// the symbolic perturbation. Law: the result is the exact one whatever stage speaks; `PredicateStages` can
-/// force the exact stage (tests do).
+/// Orientation and perturbed insphere of points of GP: the floating-point filter, then integers of fixed
+/// width, then of any size, then the symbolic perturbation. Law: the result is the exact one whatever stage
+/// speaks; `PredicateStages` can leave stages out (tests do).
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "flatdt/ref/exact_predicates.hpp"
 #include "flatdt/ref/filter.hpp"
+#include "flatdt/ref/fixed_predicates.hpp"
 #include "flatdt/ref/tie_order.hpp"
 
 namespace flatdt::ref {
@@ -19,21 +21,33 @@ struct Lift {
   OrbitPoint point;
 };
 
-enum class PredicateStages : std::uint8_t { filtered, exact_only };
+/// The stages before the last one, which is GMP's integers.
+enum class PredicateStages : std::uint8_t { filtered, filter_only, fixed_only, exact_only };
 
 template <int D>
 class Predicates {
  public:
   Predicates(const Frame& frame, const GroupTable& table, const std::vector<Site>& sites,
              const TieOrder& order, PredicateStages stages)
-      : filter_(frame, table.row_sum()), exact_(frame, table, sites), order_(&order), stages_(stages) {}
+      : Predicates(frame, table, sites, order, stages, std::make_shared<const IntegralMetric<D>>(frame)) {}
+  /// With a metric that is made once for many point sets.
+  Predicates(const Frame& frame, const GroupTable& table, const std::vector<Site>& sites,
+             const TieOrder& order, PredicateStages stages, std::shared_ptr<const IntegralMetric<D>> metric)
+      : filter_(frame, table.row_sum()),
+        fixed_(frame, table, sites),
+        exact_(std::move(metric), table, sites),
+        order_(&order),
+        use_filter_(stages == PredicateStages::filtered || stages == PredicateStages::filter_only),
+        use_fixed_(stages == PredicateStages::filtered || stages == PredicateStages::fixed_only) {}
 
   using Simplex = std::array<Lift, D + 1>;
 
   /// Sign of det(p_1 - p_0, ..., p_D - p_0): zero iff the points lie on a hyperplane.
   [[nodiscard]] Sign orientation(const Simplex& p) {
-    if (stages_ == PredicateStages::filtered)
+    if (use_filter_)
       if (const auto sign = filter_.orientation(coordinates(p))) return *sign;
+    if (use_fixed_)
+      if (const auto sign = fixed_.orientation(points(p))) return *sign;
     return exact_.orientation(points(p));
   }
 
@@ -45,14 +59,27 @@ class Predicates {
     return sign != Sign::zero ? sign == Sign::positive : perturbed_conflict(cell, w);
   }
 
+  /// insphere() and orientation() by the filter alone, if it may speak and is certain.
+  [[nodiscard]] std::optional<Sign> quick_insphere(const std::array<std::array<double, 3>, D + 1>& cell,
+                                                   const std::array<double, 3>& w) const {
+    return use_filter_ ? filter_.insphere(cell, w) : std::nullopt;
+  }
+  [[nodiscard]] std::optional<Sign> quick_orientation(
+      const std::array<std::array<double, 3>, D + 1>& p) const {
+    return use_filter_ ? filter_.orientation(p) : std::nullopt;
+  }
+
   /// Sign of insphere(cell; w): positive iff w is strictly inside. Requires: the cell is positively oriented.
   [[nodiscard]] Sign insphere(const Simplex& cell, const Lift& w) {
-    if (stages_ == PredicateStages::filtered)
+    if (use_filter_)
       if (const auto sign = filter_.insphere(coordinates(cell), w.x)) return *sign;
+    if (use_fixed_)
+      if (const auto sign = fixed_.insphere(points(cell), w.point)) return *sign;
     return exact_.insphere(points(cell), w.point);
   }
 
   [[nodiscard]] const Filter<D>& filter() const { return filter_; }
+  [[nodiscard]] const FixedPredicates<D>& fixed() const { return fixed_; }
   [[nodiscard]] ExactPredicates<D>& exact() { return exact_; }
 
  private:
@@ -69,9 +96,11 @@ class Predicates {
   [[nodiscard]] bool perturbed_conflict(const Simplex& cell, const Lift& w);
 
   Filter<D> filter_;
+  FixedPredicates<D> fixed_;
   ExactPredicates<D> exact_;
   const TieOrder* order_;
-  PredicateStages stages_;
+  bool use_filter_;
+  bool use_fixed_;
 };
 
 extern template class Predicates<2>;

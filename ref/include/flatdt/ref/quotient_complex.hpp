@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "flatdt/ref/canonical_face.hpp"
+#include "flatdt/ref/element_store.hpp"
 #include "flatdt/ref/predicates.hpp"
 
 namespace flatdt::ref {
@@ -25,6 +26,7 @@ constexpr std::uint32_t index_of(VertexId id) {
   return static_cast<std::uint32_t>(id);
 }
 inline constexpr CellId kNoCell{0xffffffffU};
+inline constexpr VertexId kNoVertex{0xffffffffU};
 
 /// The d+1 points of GP of one lift of a cell.
 template <int D>
@@ -38,15 +40,16 @@ class QuotientComplex {
     OrbitPoint point;           // site and base = representative of the coset H g
     CellId cell = kNoCell;      // some cell with this vertex
   };
+  /// 52 bytes in space. Elements as codes of the complex's store: see offset() and gluing().
   struct Cell {
-    std::array<VertexId, D + 1> vertex;
-    std::array<Element, D + 1> offset;  // in H
+    std::array<VertexId, D + 1> vertex;  // kNoVertex first: the slot is free
     std::array<CellId, D + 1> neighbour;
-    std::array<Element, D + 1> gluing;  // in H
-    bool alive = false;
-    bool large = false;             // belongs to the list L (Section 4.1)
-    std::uint32_t visit = 0;        // the search that last met this cell,
-    std::uint32_t first_visit = 0;  // and where its list of the lifts met starts
+    std::array<ElementStore::Code, D + 1> offset;  // in H
+    std::array<ElementStore::Code, D + 1> gluing;  // in H
+    /// Where a search has noted its latest visit; means something only if that note names this cell.
+    std::uint32_t visit = 0;
+
+    [[nodiscard]] bool is_alive() const { return vertex[0] != kNoVertex; }
   };
 
   QuotientComplex(const GroupTable& table, const std::vector<Site>& sites, Subgroup subgroup)
@@ -70,8 +73,23 @@ class QuotientComplex {
   /// Number of ids in use or free; ids are 0 .. cell_slots()-1.
   [[nodiscard]] std::size_t cell_slots() const { return cells_.size(); }
   [[nodiscard]] std::size_t cell_count() const { return cells_.size() - free_.size(); }
+  /// The cell is alive once it has vertices.
   CellId new_cell();
   void delete_cell(CellId c);
+  /// Makes room for the triangulation of this many points, evenly spread; more cells are no error.
+  void reserve(std::size_t vertices);
+
+  /// Vertex k of the base lift of a cell is offset * vertex[k].
+  [[nodiscard]] Element offset(CellId c, std::size_t k) const { return elements_[cell(c).offset[k]]; }
+  [[nodiscard]] Element gluing(CellId c, std::size_t k) const { return elements_[cell(c).gluing[k]]; }
+  void set_vertex(CellId c, std::size_t k, VertexId v, const Element& offset) {
+    cell(c).vertex[k] = v;
+    cell(c).offset[k] = elements_.code(offset);
+  }
+  void set_neighbour(CellId c, std::size_t k, CellId neighbour, const Element& gluing) {
+    cell(c).neighbour[k] = neighbour;
+    cell(c).gluing[k] = elements_.code(gluing);
+  }
 
   /// The point s * v.
   [[nodiscard]] Lift lift(VertexId v, const Element& s) const {
@@ -81,13 +99,27 @@ class QuotientComplex {
     if (s.coset == 0) return {table_->apply(s, vertex.x), point};
     return {table_->apply(point.g, (*sites_)[index_of(vertex.point.site)].approximate), point};
   }
+  /// The coordinates of lift(p), and of the lifts of base_lift(c).
+  [[nodiscard]] std::array<double, 3> coordinates(const OrbitPoint& p) const {
+    return table_->apply(p.g, (*sites_)[index_of(p.site)].approximate);
+  }
+  [[nodiscard]] std::array<std::array<double, 3>, D + 1> base_coordinates(CellId c) const {
+    const Cell& cell = cells_[index_of(c)];
+    std::array<std::array<double, 3>, D + 1> x;
+    for (std::size_t k = 0; k <= D; ++k) {
+      const Element s = elements_[cell.offset[k]];
+      const Vertex& vertex = vertices_[index_of(cell.vertex[k])];
+      x[k] = s.coset == 0 ? table_->apply(s, vertex.x) : lift(cell.vertex[k], s).x;
+    }
+    return x;
+  }
   [[nodiscard]] Lift lift(const OrbitPoint& p) const {
     return {table_->apply(p.g, (*sites_)[index_of(p.site)].approximate), p};
   }
   [[nodiscard]] std::array<Lift, D + 1> base_lift(CellId c) const {
     const Cell& cell = cells_[index_of(c)];
     std::array<Lift, D + 1> lifts;
-    for (std::size_t k = 0; k <= D; ++k) lifts[k] = lift(cell.vertex[k], cell.offset[k]);
+    for (std::size_t k = 0; k <= D; ++k) lifts[k] = lift(cell.vertex[k], elements_[cell.offset[k]]);
     return lifts;
   }
   [[nodiscard]] CellPoints<D> base_points(CellId c) const {
@@ -95,7 +127,7 @@ class QuotientComplex {
     CellPoints<D> points;
     for (std::size_t k = 0; k <= D; ++k)
       points[k] = {vertices_[index_of(cell.vertex[k])].point.site,
-                   table_->multiply(cell.offset[k], vertices_[index_of(cell.vertex[k])].point.g)};
+                   table_->multiply(elements_[cell.offset[k]], vertices_[index_of(cell.vertex[k])].point.g)};
     return points;
   }
 
@@ -148,6 +180,7 @@ class QuotientComplex {
   std::vector<Vertex> vertices_;
   std::vector<Cell> cells_;
   std::vector<CellId> free_;
+  ElementStore elements_;
 };
 
 extern template class QuotientComplex<2>;
@@ -158,7 +191,7 @@ extern template class QuotientComplex<3>;
 /// cell does not occur exactly `multiplicity` times).
 template <int D>
 std::optional<std::vector<CellPoints<D>>> cells_modulo(const GroupTable& table, const Subgroup& group,
-                                                       const std::vector<CellPoints<D>>& cells,
+                                                       std::vector<CellPoints<D>> cells,
                                                        std::uint32_t multiplicity);
 
 /// The cells modulo `target`, a subgroup of `group`, given one lift of each cell modulo `group`: each moved
@@ -168,10 +201,10 @@ std::vector<CellPoints<D>> unfold(const GroupTable& table, const Subgroup& group
                                   const std::vector<CellPoints<D>>& cells);
 
 extern template std::optional<std::vector<CellPoints<2>>> cells_modulo<2>(const GroupTable&, const Subgroup&,
-                                                                          const std::vector<CellPoints<2>>&,
+                                                                          std::vector<CellPoints<2>>,
                                                                           std::uint32_t);
 extern template std::optional<std::vector<CellPoints<3>>> cells_modulo<3>(const GroupTable&, const Subgroup&,
-                                                                          const std::vector<CellPoints<3>>&,
+                                                                          std::vector<CellPoints<3>>,
                                                                           std::uint32_t);
 extern template std::vector<CellPoints<2>> unfold<2>(const GroupTable&, const Subgroup&, const Subgroup&,
                                                      const std::vector<CellPoints<2>>&);

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "flatdt/ref/group_table.hpp"
@@ -18,18 +19,51 @@ constexpr std::uint32_t index_of(SiteId id) {
   return static_cast<std::uint32_t>(id);
 }
 
-struct Site {
-  /// Coordinates = numerators / denominator, in [0,1); the denominator is a multiple of the frame's
-  /// translation_denominator.
+/// What does not fit the fixed fields of a site.
+struct LargeSite {
   std::array<mpz_class, 3> numerators;
   mpz_class denominator;
-  /// The coordinates rounded towards zero: error below 2^-52.
-  std::array<double, 3> approximate{};
-  /// The least index of an input point in this orbit, and the element (frame coordinates) with
-  /// p = from_site * site.
-  std::uint32_t point = 0;
-  Isometry from_site{Matrix(0), Vector(0)};
+  Isometry from_site;
 };
+
+/// Invariant: either `large` is set and holds the exact data, or small_denominator > 0 and the small fields
+/// do.
+struct Site {
+  /// Coordinates = small / small_denominator, in [0,1); the denominator is below 2^62, a multiple of the
+  /// frame's translation_denominator, and the same for all sites that have one.
+  std::array<std::int64_t, 3> small{};
+  std::int64_t small_denominator = 0;
+  /// The coordinates rounded: error below 2^-51.
+  std::array<double, 3> approximate{};
+  /// The least index of an input point in this orbit, and the element of the group with p = element * site:
+  /// a coset of the frame and the integral translation after its representative.
+  std::uint32_t point = 0;
+  std::uint16_t coset = 0;
+  std::array<std::int32_t, 3> translation{};
+  std::shared_ptr<const LargeSite> large;
+
+  [[nodiscard]] Integer numerator(int i) const {
+    const auto k = static_cast<std::size_t>(i);
+    return large ? Integer(large->numerators[k]) : Integer(static_cast<long>(small[k]));
+  }
+  [[nodiscard]] Integer denominator() const {
+    return large ? Integer(large->denominator) : Integer(static_cast<long>(small_denominator));
+  }
+  /// The element (frame coordinates) with p = from_site * site.
+  [[nodiscard]] Isometry from_site(const Frame& frame) const;
+};
+
+/// The maps that make_sites applies to every point; they depend on the frame alone.
+struct SiteMaps {
+  explicit SiteMaps(const Frame& frame);
+  Isometry to_catalogue;    // of instance coordinates
+  Isometry from_catalogue;  // to the frame; linear
+  std::vector<Isometry> catalogue_cosets;
+  std::vector<std::uint16_t> inverse_coset;
+};
+
+/// The same as the next, with maps that are made once for many point sets.
+std::vector<Site> make_sites(const Frame& frame, const SiteMaps& maps, const std::vector<Vector>& points);
 
 /// Builds the sites of an instance's points. Points in one orbit give one site.
 /// Errors: LimitReached if a denominator has more than 8,192 bits.

@@ -24,17 +24,26 @@ struct ShortCycle {
 template <int D>
 std::optional<ShortCycle> find_short_cycle(const GroupTable& table, const std::vector<CellPoints<D>>& cells);
 
-/// Is the 1-skeleton modulo `subgroup` free of loops and 2-cycles? `cells` are the cells modulo that
-/// subgroup.
+/// The translations t != 0 for which a lattice with t in it makes a loop or a 2-cycle of the edges: the
+/// quotients g h^-1 of elements that take one point to two neighbours of one point of GP, or to itself and to
+/// a neighbour. Up to the linear parts of `group`, modulo which the cells are given; sorted. Law: for a
+/// sublattice S that is invariant under them, E^d/S carries the triangulation iff S contains none (Theorem 7
+/// and its converse). Complexity: O(n log n) for n cells; a point has O(1) neighbours in one orbit, for they
+/// lie within 2V (INSERTION 4).
 template <int D>
-bool is_simplicial(const GroupTable& table, const Subgroup& subgroup,
-                   const std::vector<CellPoints<D>>& cells);
+std::vector<Element> cycle_translations(const GroupTable& table, const Subgroup& group,
+                                        const std::vector<CellPoints<D>>& cells);
+
+/// Is some of the translations in the sublattice?
+bool contains_any(const Subgroup& sublattice, const std::vector<Element>& translations);
 
 extern template std::optional<ShortCycle> find_short_cycle<2>(const GroupTable&,
                                                               const std::vector<CellPoints<2>>&);
 extern template std::optional<ShortCycle> find_short_cycle<3>(const GroupTable&,
                                                               const std::vector<CellPoints<3>>&);
-extern template bool is_simplicial<2>(const GroupTable&, const Subgroup&, const std::vector<CellPoints<2>>&);
-extern template bool is_simplicial<3>(const GroupTable&, const Subgroup&, const std::vector<CellPoints<3>>&);
+extern template std::vector<Element> cycle_translations<2>(const GroupTable&, const Subgroup&,
+                                                           const std::vector<CellPoints<2>>&);
+extern template std::vector<Element> cycle_translations<3>(const GroupTable&, const Subgroup&,
+                                                           const std::vector<CellPoints<3>>&);
 
 }  // namespace flatdt::ref

@@ -36,6 +36,8 @@ class TieOrder {
   /// For each half: the rows, in comparison order, of the matrix that takes R^-1 t of g in the frame to the
   /// key of h in catalogue coordinates, up to a constant of the half that cancels in comparisons.
   std::array<std::vector<std::array<Integer, 3>>, 2> rows_;
+  /// The same in machine integers, if all entries are below 2^31; else empty.
+  std::array<std::vector<std::array<std::int64_t, 3>>, 2> small_rows_;
 };
 
 }  // namespace flatdt::ref

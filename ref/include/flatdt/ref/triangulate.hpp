@@ -6,27 +6,11 @@
 #include <optional>
 #include <string>
 
-#include "flatdt/ref/cover.hpp"
-#include "flatdt/ref/group_analysis.hpp"
+#include "flatdt/ref/frame_triangulation.hpp"
 #include "flatdt/ref/instance.hpp"
-#include "flatdt/ref/periodic_delaunay.hpp"
 #include "flatdt/ref/triangulation_format.hpp"
 
 namespace flatdt::ref {
-
-enum class CoverChoice : std::uint8_t { smallest, theorem10 };
-
-struct TriangulationOptions {
-  Insertion insertion = Insertion::without_covers;
-  /// The cover that copies are inserted in, by the covering engine.
-  CoverChoice cover = CoverChoice::smallest;
-  /// Seed of the insertion order and of the hierarchy's levels. The triangulation does not depend on it.
-  std::uint64_t order_seed = 0;
-  long max_sheets = 20000;
-  PredicateStages stages = PredicateStages::filtered;
-  /// See Setting::region_limit.
-  std::size_t region_limit = kRegionLimit;
-};
 
 /// Why the answer is a triangulation of a cover, in the instance's points and coordinates.
 struct StayedInCover {
@@ -63,6 +47,10 @@ struct TriangulationResult {
 /// sheets. Complexity: expected O(h n log n) predicates on well-distributed points, h the sheets until the
 /// switch. The triangulation is a function of the instance alone.
 TriangulationResult triangulate(const Instance& instance, const GroupAnalysis& analysis,
+                                const TriangulationOptions& options);
+
+/// The same with a group that is used for many instances. Requires: `group` is that of the instance.
+TriangulationResult triangulate(const Instance& instance, const PreparedGroup& group,
                                 const TriangulationOptions& options);
 
 /// The comments that the written file carries: a function of the instance alone.

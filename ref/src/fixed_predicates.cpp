@@ -1,0 +1,198 @@
+#include "flatdt/ref/fixed_predicates.hpp"
+
+#include <bit>
+
+#include "flatdt/ref/wide_integer.hpp"
+
+namespace flatdt::ref {
+namespace {
+
+constexpr int kMaxBits = 62;
+
+Sign sign_of(Int128 x) {
+  return x > 0 ? Sign::positive : x < 0 ? Sign::negative : Sign::zero;
+}
+
+/// The six pairs of complementary 2 x 2 minors of a 4 x 4 determinant's first two and last two columns.
+constexpr std::array<std::array<std::size_t, 4>, 6> kPairs{
+    {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}, {1, 2, 0, 3}, {1, 3, 0, 2}, {2, 3, 0, 1}}};
+constexpr std::array<bool, 6> kNegative{false, true, false, false, true, false};
+
+template <class Row>
+Int128 minor(const Row& a, const Row& b) {
+  return static_cast<Int128>(a[0]) * b[1] - static_cast<Int128>(a[1]) * b[0];
+}
+
+/// Narrow form: the determinant times (-1)^D.
+template <int D, class Rows, class Gram>
+Sign narrow_insphere(const Rows& rows, const Gram& gram) {
+  std::array<std::int64_t, D + 1> length{};
+  for (std::size_t k = 0; k <= D; ++k)
+    for (std::size_t i = 0; i < D; ++i) {
+      std::int64_t row = 0;
+      for (std::size_t j = 0; j < D; ++j) row += gram[i][j] * rows[k][j];
+      length[k] += row * rows[k][i];
+    }
+  const auto small_minor = [&rows](std::size_t r, std::size_t s) {
+    return rows[r][0] * rows[s][1] - rows[r][1] * rows[s][0];
+  };
+  if constexpr (D == 2) {
+    return sign_of(static_cast<Int128>(small_minor(1, 2)) * length[0] -
+                   static_cast<Int128>(small_minor(0, 2)) * length[1] +
+                   static_cast<Int128>(small_minor(0, 1)) * length[2]);
+  } else {
+    Int128 determinant = 0;
+    for (std::size_t k = 0; k < 6; ++k) {
+      const std::size_t r = kPairs[k][2], s = kPairs[k][3];
+      const Int128 mixed =
+          static_cast<Int128>(rows[r][2]) * length[s] - static_cast<Int128>(rows[s][2]) * length[r];
+      const Int128 term = small_minor(kPairs[k][0], kPairs[k][1]) * mixed;
+      determinant += kNegative[k] ? -term : term;
+    }
+    return -sign_of(determinant);
+  }
+}
+
+/// Wide form: the determinant times (-1)^D.
+template <int D, class Rows, class Gram>
+WideInteger<6> wide_insphere(const Rows& rows, const Gram& gram) {
+  std::array<WideInteger<3>, D + 1> length;
+  for (std::size_t k = 0; k <= D; ++k)
+    for (std::size_t i = 0; i < D; ++i) {
+      Int128 row = 0;  // below 2^(g+b+2) <= 2^126
+      for (std::size_t j = 0; j < D; ++j) row += static_cast<Int128>(gram[i][j]) * rows[k][j];
+      const WideInteger<4> term = multiply(widened<2>(row), widened<2>(rows[k][i]));
+      length[k] += WideInteger<3>{{term.limb[0], term.limb[1], term.limb[2]}};
+    }
+  if constexpr (D == 2) {
+    WideInteger<5> determinant = multiply(widened<2>(minor(rows[1], rows[2])), length[0]);
+    determinant -= multiply(widened<2>(minor(rows[0], rows[2])), length[1]);
+    determinant += multiply(widened<2>(minor(rows[0], rows[1])), length[2]);
+    return extended<6>(determinant);
+  } else {
+    WideInteger<6> determinant;
+    for (std::size_t k = 0; k < 6; ++k) {
+      const std::size_t r = kPairs[k][2], s = kPairs[k][3];
+      WideInteger<4> mixed = multiply(WideInteger<1>{{static_cast<std::uint64_t>(rows[r][2])}}, length[s]);
+      mixed -= multiply(WideInteger<1>{{static_cast<std::uint64_t>(rows[s][2])}}, length[r]);
+      const WideInteger<6> term = multiply(widened<2>(minor(rows[kPairs[k][0]], rows[kPairs[k][1]])), mixed);
+      if (kNegative[k])
+        determinant -= term;
+      else
+        determinant += term;
+    }
+    return -determinant;
+  }
+}
+
+}  // namespace
+
+template <int D>
+FixedPredicates<D>::FixedPredicates(const Frame& frame, const GroupTable& table,
+                                    const std::vector<Site>& sites)
+    : table_(&table), sites_(&sites) {
+  if (sites.empty() || sites[0].small_denominator == 0) return;
+  Integer common = 1;
+  for (int i = 0; i < D; ++i)
+    for (int j = 0; j < D; ++j) common = lcm(common, frame.gram(i, j).denominator());
+  for (int i = 0; i < D; ++i)
+    for (int j = 0; j < D; ++j) {
+      const Integer entry = (Rational(common) * frame.gram(i, j)).numerator();
+      const auto bits = static_cast<int>(entry.is_zero() ? 0 : entry.bits());
+      if (bits > kMaxBits) return;
+      gram_bits_ = std::max(gram_bits_, bits);
+      gram_[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = entry.to_long();
+    }
+  denominator_ = sites[0].small_denominator;
+  unit_ = denominator_ / table.translation_denominator();
+  enabled_ = true;
+}
+
+template <int D>
+template <std::size_t Count>
+std::optional<int> FixedPredicates<D>::load(const OrbitPoint* p, const OrbitPoint& w,
+                                            std::array<Row, Count>& rows) const {
+  // A numerator is below 2^62, a row sum of a linear part and a translation below 2^16: below 2^80.
+  const auto coordinate = [this](const OrbitPoint& at, const Site& site, std::size_t i) {
+    const std::int64_t shift =
+        table_->scaled_tau(at.g.coset)[i] + std::int64_t{table_->translation_denominator()} * at.g.t[i];
+    if (at.g.coset == 0) return site.small[i] + static_cast<Int128>(unit_) * shift;
+    const GroupTable::Linear& linear = table_->linear(at.g.coset);
+    Int128 x = static_cast<Int128>(unit_) * shift;
+    for (std::size_t j = 0; j < D; ++j) x += static_cast<Int128>(site.small[j]) * linear[3 * i + j];
+    return x;
+  };
+  std::array<Int128, D> origin;
+  const Site& centre = (*sites_)[index_of(w.site)];
+  if (centre.small_denominator != denominator_) return std::nullopt;
+  for (std::size_t i = 0; i < D; ++i) origin[i] = coordinate(w, centre, i);
+  std::uint64_t any = 0;  // its bits bound the magnitudes of all entries
+  for (std::size_t k = 0; k < Count; ++k) {
+    const Site& site = (*sites_)[index_of(p[k].site)];
+    if (site.small_denominator != denominator_) return std::nullopt;
+    for (std::size_t i = 0; i < D; ++i) {
+      const Int128 difference = coordinate(p[k], site, i) - origin[i];
+      const Int128 magnitude = difference < 0 ? -difference : difference;
+      if (magnitude >> kMaxBits != 0) return std::nullopt;
+      any |= static_cast<std::uint64_t>(magnitude);
+      rows[k][i] = static_cast<std::int64_t>(difference);
+    }
+  }
+  return std::bit_width(any);
+}
+
+template <int D>
+std::optional<Sign> FixedPredicates<D>::orientation(const std::array<OrbitPoint, D + 1>& p) const {
+  if (!enabled_) return std::nullopt;
+  std::array<Row, D> rows;
+  const std::optional<int> bits = load<D>(p.data() + 1, p[0], rows);
+  if (!bits) return std::nullopt;
+  if constexpr (D == 2) {
+    return sign_of(minor(rows[0], rows[1]));
+  } else {
+    if (3 * *bits + 3 <= 127)
+      return sign_of(minor(rows[0], rows[1]) * rows[2][2] - minor(rows[0], rows[2]) * rows[1][2] +
+                     minor(rows[1], rows[2]) * rows[0][2]);
+    const auto term = [&rows](std::size_t r, std::size_t s, std::size_t t) {
+      return multiply(widened<2>(minor(rows[r], rows[s])),
+                      WideInteger<1>{{static_cast<std::uint64_t>(rows[t][2])}});
+    };
+    WideInteger<3> determinant = term(0, 1, 2);
+    determinant -= term(0, 2, 1);
+    determinant += term(1, 2, 0);
+    return determinant.sign();
+  }
+}
+
+template <int D>
+std::optional<Sign> FixedPredicates<D>::insphere(const std::array<OrbitPoint, D + 1>& p,
+                                                 const OrbitPoint& w) const {
+  if (!enabled_) return std::nullopt;
+  std::array<Row, D + 1> rows;
+  const std::optional<int> bits = load<D + 1>(p.data(), w, rows);
+  if (!bits) return std::nullopt;
+  const bool is_narrow = 2 * *bits + gram_bits_ + 4 <= 63 && 5 * *bits + gram_bits_ + 9 <= 127;
+  return is_narrow ? narrow_insphere<D>(rows, gram_) : wide_insphere<D>(rows, gram_).sign();
+}
+
+template <int D>
+std::optional<typename FixedPredicates<D>::Value> FixedPredicates<D>::insphere_value(
+    const std::array<OrbitPoint, D + 1>& p, const OrbitPoint& w) const {
+  if (!enabled_) return std::nullopt;
+  std::array<Row, D + 1> rows;
+  if (!load<D + 1>(p.data(), w, rows)) return std::nullopt;
+  return wide_insphere<D>(rows, gram_);
+}
+
+template <int D>
+std::optional<typename FixedPredicates<D>::Edges> FixedPredicates<D>::edges(
+    const std::array<OrbitPoint, D + 1>& p) const {
+  Edges edges;
+  if (!enabled_ || !load<D>(p.data() + 1, p[0], edges)) return std::nullopt;
+  return edges;
+}
+
+template class FixedPredicates<2>;
+template class FixedPredicates<3>;
+
+}  // namespace flatdt::ref

@@ -1,0 +1,179 @@
+/// Section 4: insertion of all orbits, and the test at the end.
+#include "flatdt/ref/frame_triangulation.hpp"
+
+#include <algorithm>
+
+#include "flatdt/ref/delaunay_hierarchy.hpp"
+#include "flatdt/ref/first_orbit.hpp"
+#include "flatdt/ref/insertion_order.hpp"
+#include "split_mix.hpp"
+
+namespace flatdt::ref {
+namespace {
+
+/// A random insertion order (the analysis of Section 4.3 asks for one).
+std::vector<SiteId> random_order(std::size_t n, SplitMix64& random) {
+  std::vector<SiteId> order(n);
+  for (std::size_t i = 0; i < n; ++i) order[i] = SiteId{static_cast<std::uint32_t>(i)};
+  for (std::size_t i = n; i > 1; --i) std::swap(order[i - 1], order[random.next() % i]);
+  return order;
+}
+
+/// Each orbit goes one level up with probability 1/kRatio ([Devillers02] recommends about 1/30).
+std::size_t random_level(SplitMix64& random) {
+  constexpr std::uint64_t kRatio = 30;
+  std::size_t level = 0;
+  while (level < 16 && random.next() % kRatio == 0) ++level;
+  return level;
+}
+
+template <int D>
+class Run {
+ public:
+  Run(const std::vector<Vector>& points, const PreparedGroup& group, const TriangulationOptions& options)
+      : group_(group),
+        sites_(make_sites(group.frame(), group.site_maps(), points)),
+        predicates_(group.frame(), group.table(), sites_, group.order(), options.stages,
+                    group.integral_metric<D>()),
+        circumradius_(group.circumradius_constants<D>(), predicates_),
+        options_(options) {}
+
+  FrameTriangulation<D> operator()() && {
+    if (options_.insertion == Insertion::covering)
+      result_.working_cover = options_.cover == CoverChoice::theorem10
+                                  ? theorem10_cover(group_.frame(), options_.max_sheets)
+                                  : one_at_a_time_cover(group_.frame(), options_.max_sheets);
+    const Subgroup worked_in = result_.working_cover
+                                   ? Subgroup::sublattice(group_.table(), *result_.working_cover)
+                                   : group_.order().invariance_group();
+    const Setting<D> setting{&group_.frame(), &group_.table(),      &sites_, &group_.order(), &predicates_,
+                             &circumradius_,  options_.region_limit};
+    if (options_.insertion == Insertion::without_covers && options_.order == InsertionOrder::batch)
+      insert_batch(PeriodicDelaunay<D>(setting, worked_in, options_.insertion));
+    else
+      insert_in_random_order(DelaunayHierarchy<D>(setting, worked_in, options_.insertion));
+    result_.sites = std::move(sites_);
+    return std::move(result_);
+  }
+
+ private:
+  void insert_batch(PeriodicDelaunay<D> level) {
+    const std::vector<SiteId> order = batch_order(group_.frame(), sites_, options_.order_seed);
+    level.reserve(order.size());
+    level.start(order[0], first_orbit(order[0]));
+    for (std::size_t i = 1; i < order.size(); ++i) {
+      level.add_site(order[i]);
+      for (std::uint32_t rep = 0; rep < level.copies(); ++rep) {
+        const Element query = level.complex().subgroup().representative(rep);
+        level.insert(order[i], rep, level.locate(order[i], query, {order[i - 1], query}));
+      }
+    }
+    finish(level.complex());
+  }
+
+  std::vector<CellPoints<D>> first_orbit(SiteId site) {
+    std::vector<CellPoints<D>> cells;
+    for (const std::array<Element, 4>& elements : group_.lattice_cells()) {
+      CellPoints<D>& cell = cells.emplace_back();
+      for (std::size_t k = 0; k <= D; ++k) cell[k] = {site, elements[k]};
+    }
+    if (!cells.empty()) return cells;
+    return triangulate_first_orbit<D>(group_.frame(), group_.table(), sites_, group_.order(), predicates_,
+                                      site);
+  }
+
+  void insert_in_random_order(DelaunayHierarchy<D> hierarchy) {
+    SplitMix64 random(options_.order_seed);
+    for (const SiteId site : random_order(sites_.size(), random))
+      hierarchy.insert_orbit(site, std::min(random_level(random), hierarchy.levels()));
+    result_.hierarchy_levels = hierarchy.levels();
+    result_.switched_after = hierarchy.switched_after();
+    finish(hierarchy.full().complex());
+  }
+
+  void finish(const QuotientComplex<D>& complex) {
+    const GroupTable& table = group_.table();
+    const Subgroup whole = Subgroup::whole(table);
+    const Subgroup& invariance = group_.order().invariance_group();
+    const bool is_on_manifold = complex.subgroup().is_whole();
+    const Subgroup& modulo = is_on_manifold ? whole : invariance;
+    auto cells =
+        cells_modulo<D>(table, modulo, complex.all_cells(), complex.subgroup().index() / modulo.index());
+    ensure(cells.has_value(), "complete orbits give a triangulation invariant under the tie order's group");
+    result_.empty_diameter_squared =
+        circumradius_.squared_diameter(*cells, [&complex](const OrbitPoint& p) { return complex.lift(p); });
+
+    // The end-of-run test of Section 4.1: modulo G, if the triangulation is invariant under all of G, look
+    // for a loop or a 2-cycle (Theorem 7 and its converse).
+    if (!is_on_manifold && !invariance.is_whole()) {
+      auto quotient = cells_modulo<D>(table, whole, *cells, invariance.index());
+      if (!quotient) {
+        result_.variance = find_variance(*cells);
+      } else if (result_.cycle = find_cycle(*quotient); !result_.cycle) {
+        result_.cells = *std::move(quotient);
+        return;
+      }
+    } else if (result_.cycle = find_cycle(*cells); !result_.cycle) {
+      result_.cells = *std::move(cells);
+      return;
+    }
+    ensure(!result_.switched_after.has_value(), "Corollary 9: no loop or 2-cycle after the switch");
+    const std::vector<Element> excluded = cycle_translations<D>(table, invariance, *cells);
+    result_.cover = options_.smallest_cover ? smallest_cover_without(group_.frame(), vectors(excluded))
+                                            : group_.complete_orbit_cover();
+    const Subgroup target = Subgroup::sublattice(table, *result_.cover);
+    ensure(!contains_any(target, excluded), "the complete-orbit cover is simplicial for every point set");
+    result_.cells = *std::move(cells);
+  }
+
+  /// The translations and their opposites.
+  static std::vector<Vector> vectors(const std::vector<Element>& translations) {
+    std::vector<Vector> result;
+    for (const Element& t : translations) {
+      Vector v(D);
+      for (int i = 0; i < D; ++i) v[i] = static_cast<long>(t.t[static_cast<std::size_t>(i)]);
+      result.push_back(v);
+      result.push_back(-v);
+    }
+    return result;
+  }
+
+  /// Corollary 9: no loop or 2-cycle if the largest empty ball's diameter is below delta/2.
+  std::optional<ShortCycle> find_cycle(const std::vector<CellPoints<D>>& cells) {
+    if (Rational(4) * result_.empty_diameter_squared < group_.frame().delta_squared) return std::nullopt;
+    return find_short_cycle<D>(group_.table(), cells);
+  }
+
+  typename FrameTriangulation<D>::Variance find_variance(const std::vector<CellPoints<D>>& cells) {
+    const Subgroup& subgroup = group_.order().invariance_group();
+    const Element a = subgroup.representative(1);
+    for (const CellPoints<D>& cell : cells) {
+      const auto image =
+          canonical_face<D + 1>(group_.table(), subgroup, moved<D + 1>(group_.table(), a, cell)).key;
+      if (!std::binary_search(cells.begin(), cells.end(), image)) return {cell, a};
+    }
+    throw InternalError("a set of cells that is not invariant has a cell without its image");
+  }
+
+  const PreparedGroup& group_;
+  std::vector<Site> sites_;
+  Predicates<D> predicates_;
+  Circumradius<D> circumradius_;
+  TriangulationOptions options_;
+  FrameTriangulation<D> result_;
+};
+
+}  // namespace
+
+template <int D>
+FrameTriangulation<D> triangulate_in_frame(const std::vector<Vector>& points, const PreparedGroup& group,
+                                           const TriangulationOptions& options) {
+  return Run<D>(points, group, options)();
+}
+
+template FrameTriangulation<2> triangulate_in_frame<2>(const std::vector<Vector>&, const PreparedGroup&,
+                                                       const TriangulationOptions&);
+template FrameTriangulation<3> triangulate_in_frame<3>(const std::vector<Vector>&, const PreparedGroup&,
+                                                       const TriangulationOptions&);
+
+}  // namespace flatdt::ref

@@ -1,0 +1,95 @@
+#include "instance_elements.hpp"
+
+#include <map>
+#include <unordered_map>
+#include <utility>
+
+namespace flatdt::ref {
+
+Isometry InstanceElements::at(const OrbitPoint& p) const {
+  return conjugate(group_->table().isometry(p.g) * site(p.site).from_site(group_->frame()).inverse());
+}
+
+Isometry InstanceElements::between(SiteId a, const OrbitPoint& b) const {
+  return conjugate(site(a).from_site(group_->frame()) * group_->table().isometry(b.g) *
+                   site(b.site).from_site(group_->frame()).inverse());
+}
+
+/// With s = {t} r the site's element: g s^-1 = g r^-1 {-t}, and g r^-1 moves -t by its linear part.
+std::optional<InstanceElements::FrameElement> InstanceElements::in_frame(const OrbitPoint& p) const {
+  const Site& s = site(p.site);
+  if (s.large) return std::nullopt;
+  const GroupTable& table = group_->table();
+  const Element g = s.coset == 0 ? p.g : table.multiply(p.g, table.inverse(Element{{}, s.coset}));
+  FrameElement result{{g.t[0], g.t[1], g.t[2]}, g.coset};
+  const GroupTable::Linear& linear = table.linear(g.coset);
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      result.translation[i] -= std::int64_t{linear[3 * i + j]} * s.translation[j];
+  return result;
+}
+
+namespace {
+
+/// Numbers the elements of a triangulation as they come. Few are distinct.
+class ElementNumbers {
+ public:
+  explicit ElementNumbers(const InstanceElements& elements) : elements_(&elements) {}
+
+  /// Either all sites of an instance are large or none is, so that one of the two tables has all elements.
+  std::uint32_t operator()(const OrbitPoint& p) {
+    if (const auto key = elements_->in_frame(p)) {
+      const auto [entry, is_new] = small_.try_emplace(*key, static_cast<std::uint32_t>(keys_.size()));
+      if (is_new) keys_.push_back(*key);
+      return entry->second;
+    }
+    return large_.try_emplace(elements_->at(p), static_cast<std::uint32_t>(large_.size())).first->second;
+  }
+  [[nodiscard]] std::vector<Isometry> listed() const {
+    std::vector<Isometry> result;
+    result.reserve(keys_.size());
+    for (const auto& key : keys_)
+      result.push_back(elements_->group().in_instance(key.coset, key.translation));
+    if (large_.empty()) return result;
+    result.assign(large_.size(), Isometry{Matrix(0), Vector(0)});
+    for (const auto& [element, number] : large_) result[number] = element;
+    return result;
+  }
+
+ private:
+  struct Hash {
+    std::size_t operator()(const InstanceElements::FrameElement& key) const {
+      std::uint64_t hash = key.coset;
+      for (const std::int64_t t : key.translation)
+        hash = (hash ^ static_cast<std::uint64_t>(t)) * 0x9e3779b97f4a7c15U;
+      return hash ^ hash >> 29U;
+    }
+  };
+
+  const InstanceElements* elements_;
+  std::vector<InstanceElements::FrameElement> keys_;
+  std::unordered_map<InstanceElements::FrameElement, std::uint32_t, Hash> small_;
+  std::map<Isometry, std::uint32_t> large_;
+};
+
+}  // namespace
+
+template <int D>
+Triangulation to_triangulation(const std::vector<CellPoints<D>>& cells, const InstanceElements& elements) {
+  Triangulation result;
+  result.dimension = D;
+  result.cells.reserve(cells.size());
+  ElementNumbers numbers(elements);
+  for (const CellPoints<D>& cell : cells) {
+    std::array<Triangulation::CellVertex, 4> vertices{};
+    for (std::size_t k = 0; k <= D; ++k) vertices[k] = {elements.site(cell[k].site).point, numbers(cell[k])};
+    result.cells.push_back(vertices);
+  }
+  result.elements = numbers.listed();
+  return result;
+}
+
+template Triangulation to_triangulation<2>(const std::vector<CellPoints<2>>&, const InstanceElements&);
+template Triangulation to_triangulation<3>(const std::vector<CellPoints<3>>&, const InstanceElements&);
+
+}  // namespace flatdt::ref
