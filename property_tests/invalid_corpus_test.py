@@ -9,6 +9,8 @@ corpora/invalid with a file on which it fails, and every folder, file and record
 Source: FORMAT.md, "Programs" and "What the conditions mean".
 """
 
+import contextlib
+import io
 import json
 import os
 import re
@@ -55,6 +57,9 @@ def read_record(path):
 
 
 def run(program, *arguments):
+    """The completed process of a program; a function in its place stands for one (--self-test)."""
+    if callable(program):
+        return program(*arguments)
     return subprocess.run([program, *arguments], stdin=subprocess.DEVNULL, capture_output=True, timeout=TIME_LIMIT)
 
 
@@ -123,31 +128,36 @@ def stems(folder):
     return [os.path.join(folder, stem) for stem in found]
 
 
-FAKE = f"#!{sys.executable} -IS\n" + """# Prints what the record beside the instance says, in either format; argument BREAK (in the environment) spoils it.
-import json, os, sys
-broken = os.environ.get("BREAK", "")
-rows = [l.split() for l in open(sys.argv[1].replace(".instance", ".expected")) if l[0] != "#"]
-verdict, code = rows[0][1], int(rows[1][1])
-status = [(n, s) for n, s in rows[2:] if n != "error"]
-if broken == "status" and verdict == "REFUTED": status[4] = status[4][0], "skipped"
-if broken == "extra": status.append(("topology.taste", "holds"))
-if broken == "order": status.reverse()
-if broken == "fewer": status.pop()
-if broken == "code": code = 0
-if broken == "verdict": verdict = "VERIFIED"
-if "--json" in sys.argv:
-    if broken == "json": verdict = "VERIFIED"
-    number = 1 if broken == "number" else "1"
-    print(json.dumps({"schema": "flatdt-check 1", "verdict": verdict,
-                      "conditions": [{"name": n, "status": s, "witness": {"cell": number}} for n, s in status]}))
-else:
-    for n, s in status:
-        print("c condition", n, s, "" if broken == "witness" else "cell 1")
-    print("s", verdict)
-    if broken == "last": print("c done")
-if code == 2 and broken != "silent": print(sys.argv[2] + ":1: spoiled", file=sys.stderr)
-sys.exit(code)
-"""
+def fake(broken):
+    """A program that prints what the record beside the instance says, in either format; `broken` spoils it."""
+    def program(instance, triangulation, *options):
+        with open(instance.replace(".instance", ".expected"), encoding="ascii") as record:
+            rows = [line.split() for line in record if line[0] != "#"]
+        verdict, code = rows[0][1], int(rows[1][1])
+        status = [(n, s) for n, s in rows[2:] if n != "error"]
+        if broken == "status" and verdict == "REFUTED":
+            status[4] = status[4][0], "skipped"
+        if broken == "extra":
+            status.append(("topology.taste", "holds"))
+        if broken == "order":
+            status.reverse()
+        if broken == "fewer":
+            status.pop()
+        if broken == "code":
+            code = 0
+        if broken == "verdict" or (broken == "json" and "--json" in options):
+            verdict = "VERIFIED"
+        if "--json" in options:
+            number = 1 if broken == "number" else "1"
+            out = json.dumps({"schema": "flatdt-check 1", "verdict": verdict,
+                              "conditions": [{"name": n, "status": s, "witness": {"cell": number}} for n, s in status]})
+        else:
+            witness = "" if broken == "witness" else "cell 1"
+            out = "".join(f"c condition {n} {s} {witness}\n" for n, s in status) + f"s {verdict}\n"
+            out += "c done\n" if broken == "last" else ""
+        reason = triangulation + ":1: spoiled\n" if code == 2 and broken != "silent" else ""
+        return subprocess.CompletedProcess([], code, out.encode(), reason.encode())
+    return program
 
 
 def self_test():
@@ -167,9 +177,6 @@ def self_test():
             for kind, text in (("instance", ""), ("triangulation", ""), ("expected", "\n".join(record) + "\n")):
                 with open(os.path.join(root, folder, "one." + kind), "w") as out:
                     out.write(text)
-        with open(os.path.join(root, "fake"), "w") as out:
-            out.write(FAKE)
-        os.chmod(os.path.join(root, "fake"), 0o755)
 
     def edit(path, old, new):
         text = open(path).read()
@@ -201,22 +208,18 @@ def self_test():
             build(root)
             if spoil:
                 spoil(root)
-            environment = os.environ | {"BREAK": "" if spoil else name}
-            os.rename(f"{root}/fake", f"{root}.fake")
-            result = subprocess.run([sys.executable, os.path.abspath(__file__), f"{root}.fake", root], env=environment,
-                                    capture_output=True, text=True)
-            os.remove(f"{root}.fake")
-        if result.returncode != (name != "nothing") or "complaints" not in result.stdout:
+            out = io.StringIO()
+            with contextlib.redirect_stdout(out):
+                code = judge(fake("" if spoil else name), root)
+        if code != (name != "nothing") or "complaints" not in out.getvalue():
             bad += 1
-            print(f"{name}: exit {result.returncode}\n{result.stdout[-500:]}{result.stderr[-500:]}")
+            print(f"{name}: exit {code}\n{out.getvalue()[-500:]}")
     print(f"{len(spoils)} corpora, {bad} judged wrong")
     return 1 if bad else 0
 
 
-def main():
-    if sys.argv[1:] == ["--self-test"]:
-        return self_test()
-    program, corpora = sys.argv[1:]
+def judge(program, corpora):
+    """Prints the complaints about a program and a corpus; 1 if there are any, else 0."""
     invalid = os.path.join(corpora, "invalid")
     complaints, fails_in, printed, count = [], {}, None, 0
     folders = [os.path.join(corpora, "valid")] + [os.path.join(invalid, f) for f in sorted(os.listdir(invalid))]  # a loose file fails as a folder
@@ -260,4 +263,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(self_test() if sys.argv[1:] == ["--self-test"] else judge(*sys.argv[1:]))

@@ -10,7 +10,7 @@
 namespace flatdt::checker {
 namespace {
 
-constexpr std::size_t kBufferBytes = 1 << 16;
+constexpr std::size_t kBufferBytes = 1 << 13;
 static_assert(kBufferBytes > kMaxTokenBytes);
 
 bool is_space(char c) {

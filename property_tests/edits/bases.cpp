@@ -18,7 +18,8 @@ namespace {
 
 using Form = Recipe::Form;
 
-/// Covering spaces of many points: 120 points of a dicosm and 54 sheets are 45,000 cells, an hour of edits.
+/// Covering spaces of many points: 120 points of a dicosm and 54 sheets are 45,000 cells, too many to edit
+/// and check hundreds of times.
 constexpr std::size_t kMostCells = 1600;
 
 std::string text_of(const std::filesystem::path& path) {

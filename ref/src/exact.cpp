@@ -56,7 +56,7 @@ Rational::Rational(const Integer& numerator, const Integer& denominator) {
 
 Rational operator/(const Rational& a, const Rational& b) {
   if (b.is_zero()) throw std::invalid_argument("division by 0");
-  return Rational::made(a.value_ / b.value_);
+  return {Rational::Canonical{}, a.value_ / b.value_};
 }
 
 Integer floor(const Rational& a) {

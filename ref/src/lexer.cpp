@@ -1,6 +1,7 @@
 #include "lexer.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cstdlib>
 #include <optional>
 
@@ -87,6 +88,23 @@ Rational positional(std::string_view body, int base, char letter, unsigned long 
   return scaled(value, radix, negative ? -magnitude : magnitude);
 }
 
+/// The most frequent tokens, integers and fractions of at most 18 digits each: without strings and large
+/// integers. Nothing for all others, wrong ones too.
+std::optional<Rational> short_fraction(std::string_view body) {
+  const std::size_t slash = std::min(body.find('/'), body.size());
+  const std::string_view above = body.substr(0, slash);
+  const std::string_view below = slash < body.size() ? body.substr(slash + 1) : "1";
+  const auto parsed = [](std::string_view digits, std::int64_t& value) {
+    constexpr std::size_t kMostDigits = 18;  // 10^18 < 2^63
+    return !digits.empty() && digits.size() <= kMostDigits && is_digit(digits[0], 10) &&
+           std::from_chars(digits.data(), digits.data() + digits.size(), value).ptr ==
+               digits.data() + digits.size();
+  };
+  std::int64_t numerator = 0, denominator = 0;
+  if (!parsed(above, numerator) || !parsed(below, denominator) || denominator == 0) return std::nullopt;
+  return Rational(mpq_class(numerator, denominator));
+}
+
 Rational fraction(std::string_view body, std::size_t slash) {
   const std::string_view above = body.substr(0, slash), below = body.substr(slash + 1);
   if (!is_digits(above, 10) || !is_digits(below, 10))
@@ -103,7 +121,9 @@ Rational parse_number(std::string_view token) {
   const bool negative = !body.empty() && body[0] == '-';
   if (!body.empty() && (body[0] == '-' || body[0] == '+')) body.remove_prefix(1);
   Rational value;
-  if (body.size() >= 2 && body[0] == '0' && (body[1] == 'x' || body[1] == 'X')) {
+  if (const std::optional<Rational> frequent = short_fraction(body)) {
+    value = *frequent;
+  } else if (body.size() >= 2 && body[0] == '0' && (body[1] == 'x' || body[1] == 'X')) {
     value = positional(body.substr(2), 16, 'p', 2, kMaxBinaryExponent);
   } else if (const std::size_t slash = body.find('/'); slash != std::string_view::npos) {
     value = fraction(body, slash);

@@ -134,23 +134,30 @@ class Rational {
     else
       mpz_submul_ui(value_.get_num_mpz_t(), product.get_mpz_t(), -static_cast<unsigned long>(factor));
   }
-  friend Rational operator+(const Rational& a, const Rational& b) { return made(a.value_ + b.value_); }
-  friend Rational operator-(const Rational& a, const Rational& b) { return made(a.value_ - b.value_); }
-  friend Rational operator*(const Rational& a, const Rational& b) { return made(a.value_ * b.value_); }
+  friend Rational operator+(const Rational& a, const Rational& b) {
+    return {Canonical{}, a.value_ + b.value_};
+  }
+  friend Rational operator-(const Rational& a, const Rational& b) {
+    return {Canonical{}, a.value_ - b.value_};
+  }
+  friend Rational operator*(const Rational& a, const Rational& b) {
+    return {Canonical{}, a.value_ * b.value_};
+  }
   /// Throws std::invalid_argument if b is zero (GMP would raise SIGFPE).
   friend Rational operator/(const Rational& a, const Rational& b);
-  friend Rational operator-(const Rational& a) { return made(-a.value_); }
+  friend Rational operator-(const Rational& a) { return {Canonical{}, -a.value_}; }
   friend bool operator==(const Rational& a, const Rational& b) { return a.value_ == b.value_; }
   friend std::strong_ordering operator<=>(const Rational& a, const Rational& b) {
     return cmp(a.value_, b.value_) <=> 0;
   }
 
  private:
-  static Rational made(const mpq_class& canonical) {
-    Rational r;
-    r.value_ = canonical;
-    return r;
-  }
+  struct Canonical {};
+  /// The value of one of GMP's expressions, which are canonical if their operands are: made in place, for
+  /// every copy of an mpq_class allocates twice.
+  template <class Expression>
+  Rational(Canonical, const Expression& expression) : value_(expression) {}
+
   mpq_class value_;
 };
 
