@@ -113,6 +113,8 @@ DETECTORS = {
         gtest("ref_triangulation_format_test"),
         gtest("ref_catalogue_test"),
         gtest("ref_svg_test"),
+        gtest("ref_refutation_test"),
+        gtest("ref_scene_test"),
         gtest("ref_lattice_test"),
         gtest("ref_plane_groups_test"),
         gtest("ref_group_analysis_test"),

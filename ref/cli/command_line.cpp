@@ -120,14 +120,33 @@ int parse_and_run(int argc, const char* const* argv) {
   command->callback([&] { action = [&] { return run_import(import_options); }; });
 
   DrawOptions draw;
-  command = app.add_subcommand("draw", "Draw a 2D triangulation as SVG");
-  command->add_option("instance", draw.instance, "Instance file")->required();
-  command->add_option("triangulation", draw.triangulation, "Triangulation file")->required();
+  command = app.add_subcommand(
+      "draw", "Draw a triangulation, right or wrong: 2D as SVG, 3D as VTU (ParaView) or HTML (WebGL)");
+  command->footer(
+      "Example: flatdt-check --json k.instance k.triangulation > k.json\n"
+      "         flatdt draw k.instance k.triangulation --verdict k.json -o k.svg\n"
+      "         flatdt draw d.instance d.triangulation --verdict d.json -o d.html");
+  command->add_option("instance", draw.instance, "Instance file, - for standard input")->required();
+  command->add_option("triangulation", draw.triangulation, "Triangulation file, - for standard input")
+      ->required();
   command->add_option("-o,--output", draw.output, "Output file, - for standard output")
       ->capture_default_str();
+  command
+      ->add_option("--format", draw.format,
+                   "svg, vtu or html; default by the name of the output, else svg in 2D and vtu in 3D")
+      ->check(CLI::IsMember({"svg", "vtu", "html"}));
+  CLI::Option* verdict = command->add_option("--verdict", draw.verdict,
+                                             "What `flatdt-check --json` printed: highlight its witness");
+  command->add_option("--condition", draw.condition, "Failing condition whose witness is shown")
+      ->needs(verdict);
+  command
+      ->add_option(
+          "--copies", draw.copies,
+          "0: no copies; N: copies that fill N lattice cells in each direction (SVG: copies or none)")
+      ->check(CLI::Range(0, 5));
   command->add_flag("--two-cycle", draw.show_two_cycle,
                     "Highlight a loop or 2-cycle of the quotient by the group");
-  command->add_flag("--violation", draw.show_violation, "Highlight a circumdisk that contains a point");
+  command->add_flag("--violation", draw.show_violation, "Highlight a circumdisk that contains a point (2D)");
   command->callback([&] { action = [&] { return run_draw(draw); }; });
 
   try {

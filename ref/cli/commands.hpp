@@ -57,6 +57,10 @@ struct DrawOptions {
   std::string instance;
   std::string triangulation;
   std::string output = "-";
+  std::string verdict;    // file of a verdict; empty: none
+  std::string condition;  // of the verdict; empty: the first with a figure
+  std::string format;     // svg, vtu or html; empty: by the name of the output
+  int copies = -1;        // lattice cells along each direction; 0: one copy of each cell; -1: as usual
   bool show_two_cycle = false;
   bool show_violation = false;
 };

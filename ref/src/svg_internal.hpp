@@ -1,41 +1,43 @@
-/// What the parts of the SVG writer share: placement in the plane, copies, witnesses.
+/// What the parts of the SVG writer share: the fundamental domain, placement in the plane, copies, marks.
 #pragma once
 
 #include <array>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "flatdt/ref/group_analysis.hpp"
 #include "flatdt/ref/instance.hpp"
+#include "flatdt/ref/refutation.hpp"
 #include "flatdt/ref/triangulation_format.hpp"
+#include "picture_group.hpp"
+#include "svg_text.hpp"
 
-namespace flatdt::ref::svg_detail {
+namespace flatdt::ref::picture {
 
-struct Place {
-  double x, y;
-};
+/// A fundamental domain of the group, half open, in coordinates of the reduced lattice basis: of a torus the
+/// lattice cell, of a Klein bottle the half of it that the glide reflection glues to itself; the lattice cell
+/// if nothing may be copied.
+struct Domain {
+  explicit Domain(const ShownGroup& shown);
+  /// x is inside; lattice coordinates.
+  [[nodiscard]] bool contains(const Vector& u) const;
+  /// The lattice vector, in instance coordinates, that brings x into the lattice cell at the corner.
+  [[nodiscard]] Vector shift_into_cell(const PictureGroup& group, const Vector& x) const;
 
-using Triangle = std::array<Vector, 3>;
+  /// An element of the group that takes x into the domain.
+  [[nodiscard]] Isometry into(const PictureGroup& group, const Vector& x) const;
 
-/// A group acting on the plane, with the reduced basis of its lattice (columns, instance coordinates).
-struct PlaneGroup {
-  explicit PlaneGroup(const GroupAnalysis& analysis)
-      : cosets(analysis.cosets),
-        basis(analysis.frame.basis),
-        inverse(basis.inverse()),
-        gram(analysis.frame.gram) {}
-
-  std::vector<Isometry> cosets;
-  Matrix basis, inverse, gram;
+  Vector corner;
+  std::array<Rational, 2> sides;
+  bool is_glued;
+  std::optional<std::size_t> glide;  // the axis along which the glide reflection moves
 };
 
 /// Instance coordinates to the page: the first lattice vector points right, y points down.
 class Page {
  public:
-  /// The view is the bounding box of the lattice cell with a margin on all sides.
-  explicit Page(const PlaneGroup& group);
+  /// The view is the bounding box of the domain with a margin, a part of the lattice cell, on all sides.
+  Page(const PictureGroup& group, const Domain& domain);
   [[nodiscard]] Place place(const Vector& x) const;
   [[nodiscard]] Place place(double u, double v) const;   // lattice coordinates
   [[nodiscard]] double scale() const { return scale_; }  // page units per unit of length
@@ -57,44 +59,40 @@ class Page {
   std::array<double, 2> low_{}, high_{};
 };
 
-/// The vertices of the listed cells.
-std::vector<Triangle> triangles_of(const Instance& instance, const Triangulation& triangulation);
+/// The outline of the domain with arrows on its sides: sides with as many arrow heads are glued, heads
+/// pointing the same way.
+std::string domain_text(const Domain& domain, const Page& page);
+/// The cell spanned by the basis of another lattice, at the origin.
+std::string lattice_cell_text(const PictureGroup& group, const Page& page);
 
 struct DrawnTriangle {
-  std::array<Place, 3> corners;
-  bool in_cell;  // its barycentre is in the fundamental cell
+  std::vector<Place> corners;
+  bool in_domain;  // its barycentre is in the fundamental domain
+  bool turned;     // image under an element that reverses orientation
 };
 /// All copies of the triangle that meet the view; nothing if they are too many because it is far too large.
-std::vector<DrawnTriangle> copies(const Triangle& triangle, const PlaneGroup& group, const Page& page);
+std::vector<DrawnTriangle> copies(const Simplex& triangle, const PictureGroup& group, const Domain& domain,
+                                  const Page& page);
 
 struct DrawnPoint {
   Place place;
   std::size_t index;
-  bool in_cell;
+  bool in_domain;
 };
 /// All copies in view of the points, each orbit under the least index of its points.
-std::vector<DrawnPoint> point_copies(const Instance& instance, const PlaneGroup& group,
-                                     const PlaneGroup& shown, const Page& page);
+std::vector<DrawnPoint> point_copies(const Instance& instance, const PictureGroup& full,
+                                     const PictureGroup& shown, const Domain& domain, const Page& page);
 
-/// A loop or a 2-cycle: the path end - middle - other_end, whose ends are one vertex modulo G; of a loop only
-/// middle - end, two images of one vertex.
-struct Cycle {
-  bool loop;
-  Vector middle, end, other_end;
+/// The marks and the disk of a witness, laid into the domain. Adds a note if they are too far away or
+/// too large.
+std::string marks_text(const Witness& witness, const PictureGroup& group, const Domain& domain,
+                       const Page& page, std::vector<std::string>& notes);
+/// The lines under the picture, and samples of the line styles that occur in it.
+struct Caption {
+  std::string text;
+  double height, width;
 };
-std::optional<Cycle> find_cycle(const std::vector<Triangle>& triangles, const PlaneGroup& group);
+Caption caption_text(const std::string& title, const std::vector<std::string>& sentences,
+                     const Witness* witness, double width, double top);
 
-struct Violation {
-  std::size_t cell, point;
-  Vector centre, inside;
-  Rational radius_squared, distance_squared;
-};
-std::optional<Violation> find_violation(const Instance& instance, const std::vector<Triangle>& triangles,
-                                        const PlaneGroup& group);
-
-/// The lattice vector that brings x into the fundamental cell spanned by the basis.
-Vector shift_into_cell(const PlaneGroup& group, const Vector& x);
-/// The element g of the group for which g x is the least point of the orbit in the fundamental cell.
-Isometry to_least(const PlaneGroup& group, const Vector& x);
-
-}  // namespace flatdt::ref::svg_detail
+}  // namespace flatdt::ref::picture

@@ -6,7 +6,7 @@
 #include "flatdt/ref/errors.hpp"
 #include "svg_internal.hpp"
 
-namespace flatdt::ref::svg_detail {
+namespace flatdt::ref::picture {
 namespace {
 
 constexpr double kMargin = 0.25;     // of the lattice cell, on all sides
@@ -23,21 +23,19 @@ Range meeting(double low, double high, double from, double to) {
   return {std::ceil(from - high), std::floor(to - low)};
 }
 
-bool is_in_unit_cell(const Vector& u) {
-  return floor(u[0]).is_zero() && floor(u[1]).is_zero();
-}
-
 }  // namespace
 
-Page::Page(const PlaneGroup& group) : inverse_(group.inverse) {
+Page::Page(const PictureGroup& group, const Domain& domain) : inverse_(group.inverse) {
   // The columns of the Cholesky factor of the Gram matrix. Square roots and quotients of doubles are
   // correctly rounded, so every machine gets the same.
   const double a = std::sqrt(group.gram(0, 0).to_double());
   first_ = {a, 0};
   second_ = {group.gram(0, 1).to_double() / a, std::sqrt(group.gram.determinant().to_double()) / a};
   Place low{1e300, 1e300}, high{-1e300, -1e300};
-  for (const double u : {-kMargin, 1 + kMargin}) {
-    for (const double v : {-kMargin, 1 + kMargin}) {
+  const double u0 = domain.corner[0].to_double(), v0 = domain.corner[1].to_double();
+  const double u1 = u0 + domain.sides[0].to_double(), v1 = v0 + domain.sides[1].to_double();
+  for (const double u : {u0 - kMargin, u1 + kMargin}) {
+    for (const double v : {v0 - kMargin, v1 + kMargin}) {
       const Place p = plain(u, v);
       low = {std::min(low.x, p.x), std::min(low.y, p.y)};
       high = {std::max(high.x, p.x), std::max(high.y, p.y)};
@@ -84,44 +82,15 @@ bool Page::is_visible(const std::vector<Place>& places) const {
   return high.x >= 0 && low.x <= width_ && high.y >= 0 && low.y <= height_;
 }
 
-std::vector<Triangle> triangles_of(const Instance& instance, const Triangulation& triangulation) {
-  std::vector<Triangle> list;
-  for (const auto& cell : triangulation.cells) {
-    const auto vertex = [&](std::size_t k) {
-      return triangulation.elements[cell[k].element] * instance.points[cell[k].point];
-    };
-    list.push_back({vertex(0), vertex(1), vertex(2)});
-  }
-  return list;
-}
-
-Vector shift_into_cell(const PlaneGroup& group, const Vector& x) {
-  Vector u = group.inverse * x;
-  for (int i = 0; i < 2; ++i) u[i] = -Rational(floor(u[i]));
-  return group.basis * u;
-}
-
-Isometry to_least(const PlaneGroup& group, const Vector& x) {
-  Isometry best = Isometry::identity(2);
-  Vector least(2);
-  bool found = false;
-  for (const Isometry& g : group.cosets) {
-    const Vector image = g * x, shift = shift_into_cell(group, image);
-    if (found && !(image + shift < least)) continue;
-    found = true;
-    least = image + shift;
-    best = Isometry::translate(shift) * g;
-  }
-  return best;
-}
-
-std::vector<DrawnTriangle> copies(const Triangle& triangle, const PlaneGroup& group, const Page& page) {
+std::vector<DrawnTriangle> copies(const Simplex& triangle, const PictureGroup& group, const Domain& domain,
+                                  const Page& page) {
   std::vector<DrawnTriangle> list;
-  const Rational third(Integer(1), Integer(3));
   for (const Isometry& g : group.cosets) {
-    Triangle image = {g * triangle[0], g * triangle[1], g * triangle[2]};
+    const Simplex image = {g * triangle[0], g * triangle[1], g * triangle[2]};
     // Near the cell first, exactly: then small doubles place everything.
-    const Vector shift = shift_into_cell(group, third * (image[0] + image[1] + image[2]));
+    const Vector middle = barycentre(image), shift = domain.shift_into_cell(group, middle);
+    const bool in_domain = domain.contains(group.inverse * (middle + shift));
+    const bool turned = g.linear.determinant().sign() == Sign::negative;
     std::array<std::array<double, 2>, 3> u{};
     for (std::size_t k = 0; k < 3; ++k) {
       const Vector reduced = group.inverse * (image[k] + shift);
@@ -138,20 +107,21 @@ std::vector<DrawnTriangle> copies(const Triangle& triangle, const PlaneGroup& gr
       const double l = range[0].first + i;
       for (int j = 0; range[1].first + j <= range[1].last; ++j) {
         const double m = range[1].first + j;
-        std::array<Place, 3> corners{};
+        std::vector<Place> corners(3);
         for (std::size_t k = 0; k < 3; ++k) corners[k] = page.place(u[k][0] + l, u[k][1] + m);
-        if (page.is_visible({corners.begin(), corners.end()})) list.push_back({corners, l == 0 && m == 0});
+        if (page.is_visible(corners))
+          list.push_back({std::move(corners), in_domain && l == 0 && m == 0, turned});
       }
     }
   }
   return list;
 }
 
-std::vector<DrawnPoint> point_copies(const Instance& instance, const PlaneGroup& group,
-                                     const PlaneGroup& shown, const Page& page) {
+std::vector<DrawnPoint> point_copies(const Instance& instance, const PictureGroup& full,
+                                     const PictureGroup& shown, const Domain& domain, const Page& page) {
   std::map<Vector, std::size_t> orbits;  // least point of the orbit modulo the full group, least index
   for (std::size_t i = 0; i < instance.points.size(); ++i)
-    orbits.emplace(to_least(group, instance.points[i]) * instance.points[i], i);
+    orbits.emplace(to_least(full, instance.points[i]) * instance.points[i], i);
   std::vector<std::pair<std::size_t, Vector>> sorted;
   sorted.reserve(orbits.size());
   for (const auto& [point, index] : orbits) sorted.emplace_back(index, point);
@@ -159,7 +129,7 @@ std::vector<DrawnPoint> point_copies(const Instance& instance, const PlaneGroup&
 
   // The lattice of the drawn group may be coarser than that of the full group: step by the finer one.
   std::vector<DrawnPoint> list;
-  const Matrix finer = shown.inverse * group.basis;
+  const Matrix finer = shown.inverse * full.basis;
   std::array<double, 4> step{finer(0, 0).to_double(), finer(0, 1).to_double(), finer(1, 0).to_double(),
                              finer(1, 1).to_double()};
   const double det = step[0] * step[3] - step[1] * step[2];
@@ -182,8 +152,8 @@ std::vector<DrawnPoint> point_copies(const Instance& instance, const PlaneGroup&
   const auto first = [&](std::size_t i) { return static_cast<long>(std::floor(low[i])) - 1; };
   const auto last = [&](std::size_t i) { return static_cast<long>(std::ceil(high[i])) + 1; };
   for (const auto& [index, point] : sorted) {
-    for (const Isometry& g : group.cosets) {
-      const Vector image = g * point, start = image + shift_into_cell(group, image);
+    for (const Isometry& g : full.cosets) {
+      const Vector image = g * point, start = image + shift_into_cell(full, image);
       const Vector reduced = shown.inverse * start;
       const std::array<double, 2> u = {reduced[0].to_double(), reduced[1].to_double()};
       for (long l = first(0); l <= last(0); ++l) {
@@ -192,8 +162,8 @@ std::vector<DrawnPoint> point_copies(const Instance& instance, const PlaneGroup&
           const Place place =
               page.place(u[0] + dl * step[0] + dm * step[1], u[1] + dl * step[2] + dm * step[3]);
           if (!page.is_visible({place})) continue;
-          const Vector x = start + Rational(l) * group.basis.column(0) + Rational(m) * group.basis.column(1);
-          list.push_back({place, index, is_in_unit_cell(shown.inverse * x)});
+          const Vector x = start + Rational(l) * full.basis.column(0) + Rational(m) * full.basis.column(1);
+          list.push_back({place, index, domain.contains(shown.inverse * x)});
         }
       }
     }
@@ -201,4 +171,4 @@ std::vector<DrawnPoint> point_copies(const Instance& instance, const PlaneGroup&
   return list;
 }
 
-}  // namespace flatdt::ref::svg_detail
+}  // namespace flatdt::ref::picture

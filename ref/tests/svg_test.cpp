@@ -18,7 +18,7 @@ bool well_formed(const std::string& xml) {
   std::vector<std::string> open;
   for (std::size_t i = 0; i < xml.size(); ++i) {
     if (xml[i] == '&' && xml.compare(i, 4, "&lt;") != 0 && xml.compare(i, 4, "&gt;") != 0 &&
-        xml.compare(i, 5, "&amp;") != 0)
+        xml.compare(i, 5, "&amp;") != 0 && xml.compare(i, 6, "&quot;") != 0)
       return false;
     if (xml[i] == '>') return false;
     if (xml[i] != '<') continue;
@@ -46,6 +46,12 @@ std::size_t occurrences(const std::string& text, const std::string& what) {
   return count;
 }
 
+/// What stands between <g class="NAME"> and the next </g>.
+std::string group(const std::string& svg, const std::string& name) {
+  const std::size_t begin = svg.find("<g class=\"" + name + "\">");
+  return begin == std::string::npos ? "" : svg.substr(begin, svg.find("</g>", begin) - begin);
+}
+
 Instance torus(const std::string& points) {
   return parse_instance("flatdt-instance 1 dimension 2 manifold torus points " + points + "\n", "instance");
 }
@@ -69,14 +75,13 @@ TEST(Svg, HasEverythingItPromises) {
   EXPECT_TRUE(drawing.notes.empty());
   EXPECT_EQ(drawing.svg, draw(instance, kOnePoint).svg);
   // The barycentres of both triangles are in the fundamental cell once.
-  const std::size_t cells = drawing.svg.find("<g class=\"cells\">");
-  EXPECT_EQ(occurrences(drawing.svg.substr(cells, drawing.svg.find("</g>", cells) - cells), "<path"), 2U);
+  EXPECT_EQ(occurrences(group(drawing.svg, "cells"), "<path"), 2U);
 }
 
 TEST(Svg, MarksALoop) {
   const Drawing drawing = draw(torus("1 1/2 1/2"), kOnePoint, true);
   EXPECT_TRUE(well_formed(drawing.svg));
-  EXPECT_EQ(occurrences(drawing.svg, "<path class=\"cycle\""), 1U);
+  EXPECT_EQ(occurrences(group(drawing.svg, "witness"), "<path class=\"mark-face\""), 1U);
   ASSERT_EQ(drawing.notes.size(), 1U);
   EXPECT_EQ(drawing.notes[0].substr(0, 4), "Loop");
 }
@@ -89,7 +94,9 @@ TEST(Svg, MarksATwoCycle) {
   const Drawing drawing = draw(torus("3 0 0 1/2 0 1/4 1/2"), text, true);
   ASSERT_EQ(drawing.notes.size(), 1U);
   EXPECT_EQ(drawing.notes[0].substr(0, 7), "2-cycle");
-  EXPECT_EQ(occurrences(drawing.svg, "<path class=\"cycle\""), 1U);
+  // Of the two edges one is dashed.
+  EXPECT_EQ(occurrences(group(drawing.svg, "witness"), "<path class=\"mark-face\""), 1U);
+  EXPECT_EQ(occurrences(group(drawing.svg, "witness"), "<path class=\"mark-other-face\""), 1U);
 }
 
 TEST(Svg, MarksAViolatedDisk) {
@@ -113,6 +120,58 @@ TEST(Svg, ACoverHasBothCells) {
   EXPECT_NE(drawing.svg.find("covering space"), std::string::npos);
   EXPECT_EQ(occurrences(drawing.svg, "<path class=\"lattice\""), 1U);
   EXPECT_EQ(occurrences(drawing.svg, "<path class=\"domain\""), 1U);
+}
+
+TEST(Svg, AKleinBottleIsHalfALatticeCell) {
+  const Instance instance =
+      parse_instance("flatdt-instance 1 dimension 2 manifold klein-bottle points 1 1/8 0\n", "instance");
+  // Two triangles of area 1/4 fill the domain of area 1/2; the mirror line of the glide is x = 0.
+  const std::string text =
+      "flatdt-triangulation 1 elements 4 1 0 0 0 1 0  1 0 1 0 1 0  -1 0 1 0 1 1/2  -1 0 0 0 1 1/2\n"
+      "cells 2  0 0 0 1 0 2   0 0 0 2 0 3\n";
+  const Drawing drawing = draw(instance, text);
+  EXPECT_EQ(occurrences(group(drawing.svg, "cells"), "<path"), 2U);
+  EXPECT_GT(occurrences(group(drawing.svg, "copies"), "turned"), 0U);
+  // Of 900 page units the domain with margins of 1/4 takes 3/2: it is 600 wide, half as high, and its corner
+  // is a quarter of 600 from the edge.
+  EXPECT_NE(drawing.svg.find("<path class=\"domain\" d=\"M150 450L750 450L750 150L150 150Z\"/>"),
+            std::string::npos);
+  // One arrow head on each upper and lower side, pointing opposite ways; two on the others.
+  EXPECT_EQ(occurrences(drawing.svg, "<path class=\"arrow\""), 6U);
+  EXPECT_NE(drawing.svg.find("class=\"arrow\" d=\"M456.50 450L"), std::string::npos);
+  EXPECT_NE(drawing.svg.find("class=\"arrow\" d=\"M443.50 150L"), std::string::npos);
+  EXPECT_EQ(drawing.svg, draw(instance, text).svg);
+}
+
+TEST(Svg, ShowsTheWitnessOfAVerdict) {
+  const Instance instance = torus("4 0 0 1/2 0 0 1/2 1/4 1/5");
+  const Triangulation triangulation =
+      parse_triangulation("flatdt-triangulation 1 elements 1 1 0 0 0 1 0 cells 1  0 0 1 0 2 0\n", "t", 2, 4);
+  DrawingOptions options;
+  options.verdict = Verdict{"REFUTED",
+                            {{"volume.exact", {{"volume-of-cells", "1/8"}, {"expected", "1"}}},
+                             {"delaunay.empty",
+                              {{"cell", "0"},
+                               {"facet", "1"},
+                               {"cell-points", "(0,0);(1/2,0);(0,1/2)"},
+                               {"other-cell", "0"},
+                               {"apex", "(1/4,1/5)"}}}}};
+  const Drawing drawing = draw_svg(instance, triangulation, options);
+  EXPECT_TRUE(well_formed(drawing.svg));
+  const std::string witness = group(drawing.svg, "witness");
+  EXPECT_EQ(occurrences(witness, "class=\"disk\""), 1U);
+  EXPECT_EQ(occurrences(witness, "class=\"mark-cell\""), 1U);
+  EXPECT_EQ(occurrences(witness, "class=\"mark-other-cell\""), 1U);
+  EXPECT_NE(drawing.svg.find("REFUTED: the circumscribed disk of cell 0"), std::string::npos);
+  EXPECT_NE(drawing.svg.find("These fail too: volume.exact."), std::string::npos);
+  options.condition = "volume.exact";
+  EXPECT_NE(draw_svg(instance, triangulation, options).svg.find("sum to 1/8 instead of 1"),
+            std::string::npos);
+  options.condition = "links.spheres";
+  EXPECT_THROW(draw_svg(instance, triangulation, options), InvalidInput);
+  options.condition.clear();
+  options.show_copies = false;
+  EXPECT_EQ(occurrences(group(draw_svg(instance, triangulation, options).svg, "copies"), "<path"), 0U);
 }
 
 TEST(Svg, NonsenseIsDrawnOrRefused) {
