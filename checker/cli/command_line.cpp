@@ -1,4 +1,4 @@
-// flatdt-check INSTANCE TRIANGULATION [--json]: reads two files, prints the verdict.
+// flatdt-check INSTANCE TRIANGULATION [--json]: reads two files, prints the verdict. With --serve: serve.hpp.
 // The exit code and the last line of standard output always say the same: 0 VERIFIED, 1 REFUTED, 2 MALFORMED,
 // 3 UNKNOWN; wrong usage, an unreadable file too, is 2 without a verdict.   Source: FORMAT.md, "Programs".
 #include "command_line.hpp"
@@ -14,9 +14,11 @@
 #include <string>
 #include <system_error>
 
+#include "examples.hpp"
 #include "flatdt/checker/check.hpp"
 #include "flatdt/checker/errors.hpp"
 #include "report.hpp"
+#include "serve.hpp"
 
 namespace flatdt::checker {
 namespace {
@@ -126,6 +128,13 @@ void release(void* memory, std::size_t) {
   std::free(memory);
 }
 
+/// CLI11 wraps negative numbers.
+std::string is_limit(const std::string& text) {
+  const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+  return digits && text.size() <= 9 ? ""
+                                    : "a limit is a whole number of at most 9 digits, not '" + text + "'";
+}
+
 int parse_and_run(int argc, const char* const* argv) {
   json = false;
   mp_set_memory_functions(allocate, reallocate, release);
@@ -134,16 +143,35 @@ int parse_and_run(int argc, const char* const* argv) {
       "manifold.");
   app.footer(
       "'-' is standard input, for one of the two files.\n"
-      "Exit codes: 0 VERIFIED, 1 REFUTED, 2 MALFORMED or wrong usage, 3 UNKNOWN.");
+      "Exit codes: 0 VERIFIED, 1 REFUTED, 2 MALFORMED or wrong usage, 3 UNKNOWN.\n" +
+      std::string(kExamples));
   std::string instance_path;
   std::string triangulation_path;
-  app.add_option("INSTANCE", instance_path, "instance file")->required();
-  app.add_option("TRIANGULATION", triangulation_path, "triangulation file")->required();
+  app.add_option("INSTANCE", instance_path, "instance file");
+  app.add_option("TRIANGULATION", triangulation_path, "triangulation file");
   app.add_flag("--json", json, "print one JSON object");
+  ServeLimits limits;
+  bool serving = false;
+  app.add_flag("--serve", serving,
+               "answer requests on standard input, one line of JSON each (docs/serve.md)");
+  const CLI::Option* max_bytes =
+      app.add_option("--max-bytes", limits.bytes, "with --serve: largest request, both texts together")
+          ->check(is_limit)
+          ->capture_default_str();
+  const CLI::Option* max_seconds = app.add_option("--max-seconds", limits.seconds,
+                                                  "with --serve: processor time for one check; 0: no limit")
+                                       ->check(is_limit)
+                                       ->capture_default_str();
   app.add_flag_callback(
       "--version", [] { throw CLI::Success(); }, "print the version");
   try {
     app.parse(argc, argv);
+    const bool files_given = !instance_path.empty() || !triangulation_path.empty();
+    if (serving && files_given) throw CLI::ValidationError("--serve reads requests, and takes no files");
+    if (!serving && max_bytes->count() + max_seconds->count() > 0)
+      throw CLI::ValidationError("--max-bytes and --max-seconds belong to --serve");
+    if (!serving && (instance_path.empty() || triangulation_path.empty()))
+      throw CLI::ValidationError("INSTANCE and TRIANGULATION are required");
     if (instance_path == "-" && triangulation_path == "-")
       throw CLI::ValidationError("'-' can stand for one file only");
   } catch (const CLI::CallForHelp&) {
@@ -153,6 +181,10 @@ int parse_and_run(int argc, const char* const* argv) {
   } catch (const CLI::ParseError& error) {
     complain(std::string(error.what()) + "\nRun with --help for usage.");
     return kUsage;
+  }
+  if (serving) {
+    json = true;
+    return serve(std::cin, stdout, limits);
   }
   Input instance(instance_path);
   Input triangulation(triangulation_path);

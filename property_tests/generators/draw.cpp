@@ -1,4 +1,4 @@
-#include "draw.hpp"
+#include "flatdt/testing/draw.hpp"
 
 #include <algorithm>
 

@@ -7,7 +7,7 @@
 #include <compare>
 #include <vector>
 
-#include "draw.hpp"
+#include "flatdt/testing/draw.hpp"
 
 namespace flatdt::testing {
 

@@ -1,4 +1,4 @@
-#include "specimen.hpp"
+#include "flatdt/testing/specimen.hpp"
 
 #include <algorithm>
 #include <ostream>

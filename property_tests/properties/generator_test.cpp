@@ -170,6 +170,30 @@ TEST(Generators, AFailureIsShrunkPrintedAndKept) {
   std::filesystem::remove(kept);
 }
 
+TEST(Generators, GroupsMetricsAndPointSetsAreSectionsOfAdmissibleInstances) {
+  for (int seed = 0; seed < 40; ++seed) {
+    const auto random = [&] { return rc::Random(static_cast<std::uint64_t>(seed)); };
+    const testing::Group group = testing::groups(everything())(random(), 50).value();
+    std::ostringstream text;
+    text << "flatdt-instance 1\n"
+         << group << "points 1\n " << ref::Vector(group.gram.dimension()).to_string();
+    const ref::Instance instance = ref::parse_instance(text.str() + "\n", "group");
+    ASSERT_EQ(ref::analyse(instance).entry, ref::find_entry(group.manifold)) << text.str();
+    ASSERT_EQ(instance.gram, group.gram);
+
+    std::ostringstream sections;
+    const auto points = testing::point_sets("G4", 7)(random(), 100).value();
+    sections << "flatdt-instance 1\ndimension 3\nmanifold G4\n"
+             << testing::metrics("G4", 3)(random(), 50).value() << points;
+    const ref::Instance whole = ref::parse_instance(sections.str(), "sections");
+    ASSERT_EQ(ref::analyse(whole).entry->name, "tetracosm");
+    ASSERT_EQ(whole.points, points.points);
+    ASSERT_LE(points.points.size(), 7U);
+  }
+  EXPECT_THROW(testing::metrics("no-such-manifold"), std::invalid_argument);
+  EXPECT_THROW(testing::point_sets("no-such-manifold", 3), std::invalid_argument);
+}
+
 TEST(Generators, TriangulatedSpecimensPrintBothFiles) {
   const auto drawn = testing::triangulated_specimens(plane())(rc::Random(1), 10).value();
   std::ostringstream out;

@@ -9,6 +9,7 @@
 #include <new>
 
 #include "commands.hpp"
+#include "examples.hpp"
 #include "flatdt/ref/errors.hpp"
 
 namespace flatdt::ref::cli {
@@ -26,12 +27,7 @@ std::string is_seed(const std::string& text) {
 }
 
 int parse_and_run(int argc, const char* const* argv) {
-  CLI::App app{
-      "Delaunay triangulations of point sets in closed flat manifolds, exactly.\n"
-      "Example: flatdt generate --manifold klein-bottle --points 5 --family uniform --seed 1 -o k.instance\n"
-      "         flatdt triangulate k.instance -o k.triangulation\n"
-      "         flatdt-check k.instance k.triangulation",
-      "flatdt"};
+  CLI::App app{"Delaunay triangulations of point sets in closed flat manifolds, exactly.", "flatdt"};
   app.set_version_flag("--version", std::string("flatdt ") + FLATDT_VERSION);
   app.require_subcommand(1);
   std::function<int()> action;
@@ -148,6 +144,10 @@ int parse_and_run(int argc, const char* const* argv) {
                     "Highlight a loop or 2-cycle of the quotient by the group");
   command->add_flag("--violation", draw.show_violation, "Highlight a circumdisk that contains a point (2D)");
   command->callback([&] { action = [&] { return run_draw(draw); }; });
+
+  for (const Examples& examples : kExamples)
+    (examples.command.empty() ? &app : app.get_subcommand(std::string(examples.command)))
+        ->footer(examples.lines);
 
   try {
     app.parse(argc, argv);

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "specimen.hpp"
+#include "flatdt/testing/specimen.hpp"
 
 namespace flatdt::testing {
 
