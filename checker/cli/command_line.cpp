@@ -17,6 +17,7 @@
 #include "examples.hpp"
 #include "flatdt/checker/check.hpp"
 #include "flatdt/checker/errors.hpp"
+#include "imported.hpp"
 #include "report.hpp"
 #include "serve.hpp"
 
@@ -82,13 +83,12 @@ class Input {
   std::istream* stream_ = nullptr;
 };
 
-Verdict judge(Input& instance_input, Input& triangulation_input) {
+/// The verdict that `judging` gives, or the one of an input that is malformed or too large.
+template <class Judging>
+Verdict judged(const Judging& judging) {
   Verdict verdict;
   try {
-    const Instance instance = parse_instance(instance_input.stream(), instance_input.name());
-    const Triangulation triangulation =
-        parse_triangulation(triangulation_input.stream(), triangulation_input.name(), instance);
-    return check(instance, triangulation);
+    return judging();
   } catch (const MalformedInput& error) {
     verdict.outcome = Outcome::malformed;
     verdict.reason = error.what();
@@ -97,6 +97,24 @@ Verdict judge(Input& instance_input, Input& triangulation_input) {
     verdict.reason = "out of memory";
   }
   return verdict;
+}
+
+Verdict judge(Input& instance_input, Input& triangulation_input) {
+  return judged([&] {
+    const Instance instance = parse_instance(instance_input.stream(), instance_input.name());
+    const Triangulation triangulation =
+        parse_triangulation(triangulation_input.stream(), triangulation_input.name(), instance);
+    return check(instance, triangulation);
+  });
+}
+
+Verdict judge_import(Input& input, const std::string& format) {
+  return judged([&] {
+    std::string note;
+    Verdict verdict = judge_imported(input.stream(), input.name(), format, note);
+    complain(note);
+    return verdict;
+  });
 }
 
 bool json = false;  // for the handler below, which has no arguments
@@ -147,8 +165,11 @@ int parse_and_run(int argc, const char* const* argv) {
       std::string(kExamples));
   std::string instance_path;
   std::string triangulation_path;
+  std::string format;
   app.add_option("INSTANCE", instance_path, "instance file");
   app.add_option("TRIANGULATION", triangulation_path, "triangulation file");
+  app.add_option("--from", format, "INSTANCE is a file of this format, instance and triangulation in one")
+      ->check(CLI::IsMember(import_formats()));
   app.add_flag("--json", json, "print one JSON object");
   ServeLimits limits;
   bool serving = false;
@@ -166,11 +187,13 @@ int parse_and_run(int argc, const char* const* argv) {
       "--version", [] { throw CLI::Success(); }, "print the version");
   try {
     app.parse(argc, argv);
-    const bool files_given = !instance_path.empty() || !triangulation_path.empty();
+    const bool files_given = !instance_path.empty() || !triangulation_path.empty() || !format.empty();
     if (serving && files_given) throw CLI::ValidationError("--serve reads requests, and takes no files");
     if (!serving && max_bytes->count() + max_seconds->count() > 0)
       throw CLI::ValidationError("--max-bytes and --max-seconds belong to --serve");
-    if (!serving && (instance_path.empty() || triangulation_path.empty()))
+    if (!format.empty() && (instance_path.empty() || !triangulation_path.empty()))
+      throw CLI::ValidationError("with --from there is one file");
+    if (!serving && format.empty() && (instance_path.empty() || triangulation_path.empty()))
       throw CLI::ValidationError("INSTANCE and TRIANGULATION are required");
     if (instance_path == "-" && triangulation_path == "-")
       throw CLI::ValidationError("'-' can stand for one file only");
@@ -187,8 +210,11 @@ int parse_and_run(int argc, const char* const* argv) {
     return serve(std::cin, stdout, limits);
   }
   Input instance(instance_path);
-  Input triangulation(triangulation_path);
-  const Verdict verdict = judge(instance, triangulation);
+  const Verdict verdict = [&] {
+    if (!format.empty()) return judge_import(instance, format);
+    Input triangulation(triangulation_path);
+    return judge(instance, triangulation);
+  }();
   if (!verdict.reason.empty()) complain(verdict.reason);
   if (!print(json ? json_report(verdict) : text_report(verdict))) {
     complain("cannot write to standard output");

@@ -145,7 +145,7 @@ Specimen draw_specimen(const Domain& domain, std::uint64_t seed, int size) {
   const std::vector<std::string> rules = domain.rules.empty() ? point_rules() : domain.rules;
   specimen.family = random.of(rules);
   const long most = 1 + (domain.max_points(d) - 1) * std::clamp(size, 0, 100) / 100;
-  const long n = random.between(1, most);
+  const long n = random.between(domain.min_points, most);
   const long max_stretch = d == 2 ? domain.max_stretch_in_plane : domain.max_stretch_in_space;
   if (domain.other_metrics)
     specimen.gram = specimen.family == "long-cell"

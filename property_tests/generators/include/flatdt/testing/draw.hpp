@@ -28,6 +28,7 @@ std::vector<std::string> point_rules();
 /// reference inserts some 9 * ratio copies of each point in the plane, 35 * ratio^2 and more in space.
 struct Domain {
   std::vector<std::string> manifolds;
+  long min_points = 1;
   long max_points_in_plane = 10;
   long max_points_in_space = 3;
   /// Largest ratio by which a class of axes is stretched against the others.
