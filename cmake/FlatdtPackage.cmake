@@ -5,13 +5,13 @@ include(CMakePackageConfigHelpers)
 
 set(flatdt_cmake_folder "${CMAKE_INSTALL_LIBDIR}/cmake/flatdt")
 
-# flatdt_install_component(NAME TARGETS TARGET... [PROGRAMS TARGET...] [HEADERS FOLDER...] [MANUALS FILE...]
+# flatdt_install_component(NAME TARGETS TARGET... [PROGRAMS TARGET...] [HEADERS FOLDER...] [MANUALS FILE...] [DATA FILE...]
 #                          [COMPLETIONS FILE...] [PKG_CONFIG NAME...])
 #   HEADERS      folders, installed with their names below include/
 #   COMPLETIONS  PROGRAM.bash and _PROGRAM (zsh)
 #   PKG_CONFIG   cmake/NAME.in beside this file
 function(flatdt_install_component name)
-  cmake_parse_arguments(install "" "" "TARGETS;PROGRAMS;HEADERS;MANUALS;COMPLETIONS;PKG_CONFIG" ${ARGN})
+  cmake_parse_arguments(install "" "" "TARGETS;PROGRAMS;HEADERS;MANUALS;DATA;COMPLETIONS;PKG_CONFIG" ${ARGN})
   install(TARGETS ${install_TARGETS} EXPORT flatdt-${name}
     ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT ${name}
     LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT ${name} NAMELINK_COMPONENT ${name}
@@ -28,6 +28,9 @@ function(flatdt_install_component name)
   foreach(manual IN LISTS install_MANUALS)
     install(FILES "${manual}" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1" COMPONENT ${name})
   endforeach()
+  if(install_DATA)
+    install(FILES ${install_DATA} DESTINATION "${CMAKE_INSTALL_DATADIR}/flatdt" COMPONENT ${name})
+  endif()
   foreach(file IN LISTS install_COMPLETIONS)
     get_filename_component(program "${file}" NAME)
     if(program MATCHES "^_")

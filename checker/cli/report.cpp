@@ -12,7 +12,8 @@ std::string text_report(const Verdict& verdict) {
     text += to_string(name);
     text += ' ';
     text += to_string(verdict[name].status);
-    for (const auto& [key, value] : verdict[name].witness) text += " " + key + "=" + value;
+    for (const auto& [key, value] : verdict[name].witness)
+      text.append(" ").append(key).append("=").append(value);
     text += '\n';
   }
   text += "s ";

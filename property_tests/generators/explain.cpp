@@ -29,8 +29,9 @@ std::string explain(const checker::Verdict& verdict) {
   for (std::size_t i = 0; i < checker::kConditionCount; ++i) {
     const auto name = static_cast<checker::ConditionName>(i);
     if (verdict[name].status != checker::Status::fails) continue;
-    text += "\n  " + std::string(to_string(name)) + " fails:";
-    for (const auto& [key, value] : verdict[name].witness) text += " " + key + "=" + value;
+    text.append("\n  ").append(to_string(name)).append(" fails:");
+    for (const auto& [key, value] : verdict[name].witness)
+      text.append(" ").append(key).append("=").append(value);
   }
   return text;
 }

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The problem matcher finds file, line and reason in what the programs say of malformed files: messages_test.py PREFIX RECIPES"""
+"""The problem matcher finds file, line and reason in what the programs say of malformed files: messages_test.py PREFIX"""
 
 import json
 import re
@@ -7,9 +7,9 @@ import subprocess
 import sys
 import tempfile
 
-from installed import environment, finish, run
+from installed import environment, find, finish, run
 
-PREFIX, RECIPES = sys.argv[1:3]
+PREFIX = sys.argv[1]
 FILES = {"point.instance": ("flatdt-instance 1\ndimension 2\nmanifold torus\npoints 1\n1/0 0\n", 5),
          "name.instance": ("flatdt-instance 1\ndimension 2\nmanifold Torus\npoints 1\n0 0\n", 3),
          "torsion.instance": ("flatdt-instance 1\ndimension 2\ngenerators 3\n1 0 1 0 1 0\n1 0 0 0 1 1\n-1 0 0 0 -1 0\n"
@@ -17,8 +17,7 @@ FILES = {"point.instance": ("flatdt-instance 1\ndimension 2\nmanifold torus\npoi
 
 
 def main():
-    with open(f"{RECIPES}/problem_matcher.json", encoding="utf-8") as text:
-        [matcher] = json.load(text)["problemMatcher"]
+    [matcher] = json.loads(find(PREFIX, "problem_matcher.json").read_text())["problemMatcher"]
     [pattern] = matcher["pattern"]
     complaints = []
     with tempfile.TemporaryDirectory() as folder:

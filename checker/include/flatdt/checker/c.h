@@ -30,6 +30,7 @@
 extern "C" {
 #endif
 
+/* NOLINTBEGIN(modernize-use-using): this is C */
 typedef enum {
   FLATDT_OK = 0,
   FLATDT_INVALID_ARGUMENT =
@@ -56,6 +57,7 @@ typedef enum {
 typedef struct flatdt_report flatdt_report;
 typedef struct flatdt_instance flatdt_instance;
 typedef struct flatdt_triangulation flatdt_triangulation;
+/* NOLINTEND(modernize-use-using) */
 
 /* "0.1.0" */
 FLATDT_API const char* flatdt_checker_version(void);
