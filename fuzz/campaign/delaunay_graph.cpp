@@ -121,20 +121,25 @@ void DelaunayGraph::find_strong_edges() {
     std::map<Vector, std::pair<std::set<Vector>, Lift>>
         around;  // centres of the cells around each edge from points[i]
     for (const Ball& ball : balls_[i])
-      for (const Lift& to : ball.vertices)
-        if (place(to) != instance_.points[i])
-          around.try_emplace(place(to), std::set<Vector>{}, to).first->second.first.insert(ball.centre);
+      for (const Lift& to : ball.vertices) {
+        const Vector end = place(to);
+        if (end != instance_.points[i])
+          around.try_emplace(end, std::set<Vector>{}, to).first->second.first.insert(ball.centre);
+      }
     for (const auto& [end, facet] : around) {
       const auto& [centres, to] = facet;
+      const EdgeKey edge = key(from, to);
+      edges_.insert(edge);
       // Fewer different centres: the facet is a point or a segment. More never lie on one line: they are the
       // vertices of a face of the Voronoi complex, which is face to face.
       if (centres.size() < least) continue;
-      strong_.insert_or_assign(key(from, to), squared_width(centres));
+      if (!strong_.contains(edge)) strong_.emplace(edge, squared_width(centres));
     }
   }
 }
 
 bool DelaunayGraph::may_be_edge(const EdgeKey& edge) const {
+  if (edges_.contains(edge)) return true;
   const Vector& from = instance_.points[edge.first];
   const auto& around = balls_[edge.first];
   return std::any_of(around.begin(), around.end(), [&](const Ball& ball) {

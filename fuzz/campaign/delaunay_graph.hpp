@@ -59,6 +59,7 @@ class DelaunayGraph {
   ref::Matrix lattice_inverse_;
   std::vector<Lift> representatives_;     // of each point: the first of its orbit, and the element to it
   std::vector<std::vector<Ball>> balls_;  // of each first point: the cells around it
+  std::set<EdgeKey> edges_;               // of the triangulation: with one choice at ties
   std::map<EdgeKey, ref::Rational> strong_;
 };
 
