@@ -181,16 +181,16 @@ std::pair<Integer, Integer> ExactPredicates<D>::squared_circumradius(const std::
     mul(y[1], rows_[0][0], lengths_[1]);
     submul(y[1], rows_[1][0], lengths_[0]);
   } else {
-    determinant3(rows_[0], rows_[1], rows_[2], det_);
-    // Cramer: y_i is the determinant of A with column i replaced by q.
-    std::array<Row, 3> replaced;
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        replaced[k] = rows_[k];
-        replaced[k][i] = lengths_[k];
+    det_ = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Row &u = rows_[(k + 1) % 3], &v = rows_[(k + 2) % 3];
+        const std::size_t r = (i + 1) % 3, s = (i + 2) % 3;
+        mul(t0_, u[r], v[s]);
+        submul(t0_, u[s], v[r]);
+        addmul(y[i], t0_, lengths_[k]);
+        if (k == 0) addmul(det_, t0_, rows_[0][i]);
       }
-      determinant3(replaced[0], replaced[1], replaced[2], y[i]);
-    }
   }
   ensure(sgn(det_) != 0, "a cell is not flat");
   mpz_class numerator = 0;

@@ -1,4 +1,4 @@
-#include "flatdt/ref/finite_star.hpp"
+#include "finite_star.hpp"
 
 #include <algorithm>
 #include <deque>
@@ -16,27 +16,60 @@ Lift make_lift(const GroupTable& table, const std::vector<Site>& sites, const Or
 template <int D>
 FiniteStar<D>::FiniteStar(const GroupTable& table, const std::vector<Site>& sites, Predicates<D>& predicates,
                           const OrbitPoint& q, const std::vector<OrbitPoint>& candidates)
-    : predicates_(&predicates), q_(make_lift(table, sites, q)) {
+    : predicates_(&predicates),
+      q_(make_lift(table, sites, q)),
+      filter_(predicates.filter(), q_.x, predicates.uses_filter()) {
   candidates_.reserve(candidates.size());
-  for (const OrbitPoint& p : candidates) candidates_.push_back(make_lift(table, sites, p));
+  offsets_.reserve(candidates.size());
+  for (const OrbitPoint& p : candidates) {
+    candidates_.push_back(make_lift(table, sites, p));
+    offsets_.push_back(filter_.see(candidates_.back().x));
+  }
+}
+
+template <int D>
+std::array<Lift, D + 1> FiniteStar<D>::lifts(const Apexes& apexes) const {
+  std::array<Lift, D + 1> cell;
+  cell[0] = q_;
+  for (std::size_t k = 0; k < D; ++k) cell[k + 1] = candidates_[apexes[k]];
+  return cell;
 }
 
 template <int D>
 Sign FiniteStar<D>::orientation(const Apexes& apexes) const {
-  std::array<Lift, D + 1> cell;
-  cell[0] = q_;
-  for (std::size_t k = 0; k < D; ++k) cell[k + 1] = candidates_[apexes[k]];
-  return predicates_->orientation(cell);
+  return orientation(plane(apexes, D - 1), apexes, D - 1);
 }
 
 template <int D>
-std::array<Lift, D + 1> FiniteStar<D>::oriented(const Apexes& apexes, Sign& sign) const {
-  std::array<Lift, D + 1> cell;
-  cell[0] = q_;
-  for (std::size_t k = 0; k < D; ++k) cell[k + 1] = candidates_[apexes[k]];
-  sign = predicates_->orientation(cell);
-  if (sign == Sign::negative) std::swap(cell[0], cell[1]);
-  return cell;
+typename StarFilter<D>::Plane FiniteStar<D>::plane(const Apexes& apexes, std::size_t opposite) const {
+  std::array<typename StarFilter<D>::Offset, D - 1> others;
+  for (std::size_t k = 0, i = 0; k < D; ++k)
+    if (k != opposite) others[i++] = offsets_[apexes[k]];
+  return filter_.plane(others);
+}
+
+template <int D>
+Sign FiniteStar<D>::orientation(const typename StarFilter<D>::Plane& plane, const Apexes& apexes,
+                                std::size_t opposite) const {
+  const std::optional<Sign> last = filter_.orientation(plane, offsets_[apexes[opposite]]);
+  if (!last) return predicates_->orientation(lifts(apexes));
+  return (D - 1 - opposite) % 2 == 0 ? *last : -*last;
+}
+
+template <int D>
+typename FiniteStar<D>::Ball FiniteStar<D>::ball(const Apexes& apexes) const {
+  std::array<typename StarFilter<D>::Offset, D> others;
+  for (std::size_t k = 0; k < D; ++k) others[k] = offsets_[apexes[k]];
+  const bool is_negative = orientation(apexes) == Sign::negative;
+  Ball result{lifts(apexes), filter_.sphere(others, is_negative)};
+  if (is_negative) std::swap(result.lifts[0], result.lifts[1]);
+  return result;
+}
+
+template <int D>
+bool FiniteStar<D>::in_conflict(const Ball& ball, std::size_t candidate) const {
+  const std::optional<Sign> quick = filter_.insphere(ball.sphere, offsets_[candidate]);
+  return quick ? *quick == Sign::positive : predicates_->conflict_sos(ball.lifts, candidates_[candidate]);
 }
 
 /// Is the ray u = (1, e, e^2, ...), e infinitesimal, inside the cone of the apexes at q? By Cramer: replacing
@@ -68,11 +101,10 @@ typename FiniteStar<D>::Apexes FiniteStar<D>::first_cell() {
   // (ratio test).
   for (bool improved = true; improved;) {
     improved = false;
+    Ball around = ball(cell);
     for (std::size_t w = 0; w < candidates_.size(); ++w) {
       if (std::find(cell.begin(), cell.end(), w) != cell.end()) continue;
-      Sign sign = Sign::zero;
-      const std::array<Lift, D + 1> lifts = oriented(cell, sign);
-      if (!predicates_->conflict_sos(lifts, candidates_[w])) continue;
+      if (!in_conflict(around, w)) continue;
       std::size_t leaving = D;
       for (std::size_t k = 0; k < D; ++k) {
         Apexes next = cell;
@@ -81,6 +113,7 @@ typename FiniteStar<D>::Apexes FiniteStar<D>::first_cell() {
       }
       ensure(leaving < D, "a point in conflict can enter the basis");
       cell[leaving] = w;
+      around = ball(cell);
       improved = true;
     }
   }
@@ -89,23 +122,20 @@ typename FiniteStar<D>::Apexes FiniteStar<D>::first_cell() {
 
 template <int D>
 typename FiniteStar<D>::Apexes FiniteStar<D>::wrap(const Apexes& apexes, std::size_t opposite) {
-  Sign side = Sign::zero;
-  static_cast<void>(oriented(apexes, side));
+  const typename StarFilter<D>::Plane facet = plane(apexes, opposite);
+  const Sign side = orientation(facet, apexes, opposite);
   std::size_t best = candidates_.size();
   Apexes cell = apexes;
+  Ball around{};
   for (std::size_t w = 0; w < candidates_.size(); ++w) {
     if (std::find(apexes.begin(), apexes.end(), w) != apexes.end()) continue;
     Apexes next = apexes;
     next[opposite] = w;
-    Sign sign = Sign::zero;
-    static_cast<void>(oriented(next, sign));
-    if (sign != -side) continue;
-    if (best != candidates_.size()) {
-      Sign ignored = Sign::zero;
-      if (!predicates_->conflict_sos(oriented(cell, ignored), candidates_[w])) continue;
-    }
+    if (orientation(facet, next, opposite) != -side) continue;
+    if (best != candidates_.size() && !in_conflict(around, w)) continue;
     best = w;
     cell = next;
+    around = ball(cell);
   }
   ensure(best != candidates_.size(), "q is in the interior of the candidates' convex hull");
   return cell;

@@ -1,8 +1,9 @@
 #include "flatdt/ref/first_orbit.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 
-#include "flatdt/ref/finite_star.hpp"
+#include "finite_star.hpp"
 #include "flatdt/ref/lattice.hpp"
 #include "flatdt/ref/orbit_position.hpp"
 #include "small_closest_vectors.hpp"
@@ -33,8 +34,12 @@ void add_candidates(const Frame& frame, const GroupTable& table, const Vector& q
 bool add_small_candidates(const SmallClosestVectors& closest, const GroupTable& table, const Site& q,
                           const Element& g, std::uint16_t coset, std::vector<Element>& candidates) {
   const auto d = static_cast<std::size_t>(table.dimension());
-  // 2^16 bounds the lattice vectors that elements move by, and 2^60 what the search takes.
-  if (q.small_denominator >= std::int64_t{1} << 42U) return false;
+  // The search takes 2^60 for twice the denominator, and coordinates must stay below 2^62.
+  std::int64_t reach = table.row_sum() + 1;
+  for (const std::int16_t t : g.t) reach = std::max<std::int64_t>(reach, table.row_sum() + 1 + std::abs(t));
+  if (q.small_denominator >= std::int64_t{1} << 58U ||
+      static_cast<Int128>(q.small_denominator) * reach >= std::int64_t{1} << 61U)
+    return false;
   std::array<std::int64_t, 3> u{};
   const std::array<std::int64_t, 3> there = table.apply(Element{{}, coset}, q.small, q.small_denominator);
   const std::array<std::int64_t, 3> here = table.apply(g, q.small, q.small_denominator);

@@ -54,16 +54,10 @@ Sign narrow_insphere(const Rows& rows, const Gram& gram) {
 }
 
 /// Wide form: the determinant times (-1)^D.
-template <int D, class Rows, class Gram>
-WideInteger<6> wide_insphere(const Rows& rows, const Gram& gram) {
+template <int D, class Rows>
+WideInteger<6> wide_insphere(const Rows& rows, const FixedMetric<D>& metric) {
   std::array<WideInteger<3>, D + 1> length;
-  for (std::size_t k = 0; k <= D; ++k)
-    for (std::size_t i = 0; i < D; ++i) {
-      Int128 row = 0;  // below 2^(g+b+2) <= 2^126
-      for (std::size_t j = 0; j < D; ++j) row += static_cast<Int128>(gram[i][j]) * rows[k][j];
-      const WideInteger<4> term = multiply(widened<2>(row), widened<2>(rows[k][i]));
-      length[k] += WideInteger<3>{{term.limb[0], term.limb[1], term.limb[2]}};
-    }
+  for (std::size_t k = 0; k <= D; ++k) length[k] = metric.squared_length(rows[k]);
   if constexpr (D == 2) {
     WideInteger<5> determinant = multiply(widened<2>(minor(rows[1], rows[2])), length[0]);
     determinant -= multiply(widened<2>(minor(rows[0], rows[2])), length[1]);
@@ -88,21 +82,38 @@ WideInteger<6> wide_insphere(const Rows& rows, const Gram& gram) {
 }  // namespace
 
 template <int D>
-FixedPredicates<D>::FixedPredicates(const Frame& frame, const GroupTable& table,
-                                    const std::vector<Site>& sites)
-    : table_(&table), sites_(&sites) {
-  if (sites.empty() || sites[0].small_denominator == 0) return;
+FixedMetric<D>::FixedMetric(const Frame& frame) {
   Integer common = 1;
   for (int i = 0; i < D; ++i)
     for (int j = 0; j < D; ++j) common = lcm(common, frame.gram(i, j).denominator());
   for (int i = 0; i < D; ++i)
     for (int j = 0; j < D; ++j) {
       const Integer entry = (Rational(common) * frame.gram(i, j)).numerator();
-      const auto bits = static_cast<int>(entry.is_zero() ? 0 : entry.bits());
-      if (bits > kMaxBits) return;
-      gram_bits_ = std::max(gram_bits_, bits);
-      gram_[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = entry.to_long();
+      const auto entry_bits = static_cast<int>(entry.is_zero() ? 0 : entry.bits());
+      if (entry_bits > kMaxBits) return;
+      bits = std::max(bits, entry_bits);
+      gram[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = entry.to_long();
     }
+  fits = true;
+}
+
+template <int D>
+WideInteger<3> FixedMetric<D>::squared_length(const std::array<std::int64_t, D>& a) const {
+  WideInteger<3> length;
+  for (std::size_t i = 0; i < D; ++i) {
+    Int128 row = 0;  // below 2^(g+b+2) <= 2^126
+    for (std::size_t j = 0; j < D; ++j) row += static_cast<Int128>(gram[i][j]) * a[j];
+    const WideInteger<4> term = multiply(widened<2>(row), widened<2>(a[i]));
+    length += WideInteger<3>{{term.limb[0], term.limb[1], term.limb[2]}};
+  }
+  return length;
+}
+
+template <int D>
+FixedPredicates<D>::FixedPredicates(const FixedMetric<D>& metric, const GroupTable& table,
+                                    const std::vector<Site>& sites)
+    : table_(&table), sites_(&sites), metric_(metric) {
+  if (!metric.fits || sites.empty() || sites[0].small_denominator == 0) return;
   denominator_ = sites[0].small_denominator;
   unit_ = denominator_ / table.translation_denominator();
   enabled_ = true;
@@ -171,17 +182,8 @@ std::optional<Sign> FixedPredicates<D>::insphere(const std::array<OrbitPoint, D 
   std::array<Row, D + 1> rows;
   const std::optional<int> bits = load<D + 1>(p.data(), w, rows);
   if (!bits) return std::nullopt;
-  const bool is_narrow = 2 * *bits + gram_bits_ + 4 <= 63 && 5 * *bits + gram_bits_ + 9 <= 127;
-  return is_narrow ? narrow_insphere<D>(rows, gram_) : wide_insphere<D>(rows, gram_).sign();
-}
-
-template <int D>
-std::optional<typename FixedPredicates<D>::Value> FixedPredicates<D>::insphere_value(
-    const std::array<OrbitPoint, D + 1>& p, const OrbitPoint& w) const {
-  if (!enabled_) return std::nullopt;
-  std::array<Row, D + 1> rows;
-  if (!load<D + 1>(p.data(), w, rows)) return std::nullopt;
-  return wide_insphere<D>(rows, gram_);
+  const bool is_narrow = 2 * *bits + metric_.bits + 4 <= 63 && 5 * *bits + metric_.bits + 9 <= 127;
+  return is_narrow ? narrow_insphere<D>(rows, metric_.gram) : wide_insphere<D>(rows, metric_).sign();
 }
 
 template <int D>
@@ -192,6 +194,16 @@ std::optional<typename FixedPredicates<D>::Edges> FixedPredicates<D>::edges(
   return edges;
 }
 
+template <int D>
+std::optional<typename FixedPredicates<D>::Row> FixedPredicates<D>::difference(const OrbitPoint& p,
+                                                                               const OrbitPoint& from) const {
+  std::array<Row, 1> row;
+  if (!enabled_ || !load<1>(&p, from, row)) return std::nullopt;
+  return row[0];
+}
+
+template struct FixedMetric<2>;
+template struct FixedMetric<3>;
 template class FixedPredicates<2>;
 template class FixedPredicates<3>;
 

@@ -33,8 +33,7 @@ class Run {
   Run(const std::vector<Vector>& points, const PreparedGroup& group, const TriangulationOptions& options)
       : group_(group),
         sites_(make_sites(group.frame(), group.site_maps(), points)),
-        predicates_(group.frame(), group.table(), sites_, group.order(), options.stages,
-                    group.integral_metric<D>()),
+        predicates_(group.predicate_constants<D>(), group.table(), sites_, group.order(), options.stages),
         circumradius_(group.circumradius_constants<D>(), predicates_),
         options_(options) {}
 
@@ -49,7 +48,7 @@ class Run {
     const Setting<D> setting{&group_.frame(), &group_.table(),      &sites_, &group_.order(), &predicates_,
                              &circumradius_,  options_.region_limit};
     if (options_.insertion == Insertion::without_covers && options_.order == InsertionOrder::batch)
-      insert_batch(PeriodicDelaunay<D>(setting, worked_in, options_.insertion));
+      insert_batch(setting);
     else
       insert_in_random_order(DelaunayHierarchy<D>(setting, worked_in, options_.insertion));
     result_.sites = std::move(sites_);
@@ -57,29 +56,38 @@ class Run {
   }
 
  private:
-  void insert_batch(PeriodicDelaunay<D> level) {
+  /// By rank on the whole group; where the ranks do not decide, once more modulo the group that the tie order
+  /// is invariant under. The cells are the same (docs/theory.md, section 7).
+  void insert_batch(const Setting<D>& setting) {
     const std::vector<SiteId> order = batch_order(group_.frame(), sites_, options_.order_seed);
+    std::vector<CellPoints<D>> first;
+    if (group_.lattice_complex<D>() == nullptr)
+      first = triangulate_first_orbit<D>(group_.frame(), group_.table(), sites_, group_.order(), predicates_,
+                                         order[0]);
+    if (insert_batch_modulo(Subgroup::whole(group_.table()), setting, order, first)) return;
+    const bool inserted = insert_batch_modulo(group_.order().invariance_group(), setting, order, first);
+    ensure(inserted, "the tie order decides every tie modulo its own group");
+  }
+
+  /// `first`: the cells of the first orbit, on a torus unused. Whether it came to an end.
+  bool insert_batch_modulo(const Subgroup& subgroup, const Setting<D>& setting,
+                           const std::vector<SiteId>& order, const std::vector<CellPoints<D>>& first) {
+    PeriodicDelaunay<D> level(setting, subgroup, options_.insertion);
     level.reserve(order.size());
-    level.start(order[0], first_orbit(order[0]));
-    for (std::size_t i = 1; i < order.size(); ++i) {
+    if (const QuotientComplex<D>* const any = group_.lattice_complex<D>())
+      level.start(order[0], *any);
+    else
+      level.start(order[0], first);
+    for (std::size_t i = 1; i < order.size() && !level.needs_smaller_group(); ++i) {
       level.add_site(order[i]);
       for (std::uint32_t rep = 0; rep < level.copies(); ++rep) {
         const Element query = level.complex().subgroup().representative(rep);
         level.insert(order[i], rep, level.locate(order[i], query, {order[i - 1], query}));
       }
     }
+    if (level.needs_smaller_group()) return false;
     finish(level.complex());
-  }
-
-  std::vector<CellPoints<D>> first_orbit(SiteId site) {
-    std::vector<CellPoints<D>> cells;
-    for (const std::array<Element, 4>& elements : group_.lattice_cells()) {
-      CellPoints<D>& cell = cells.emplace_back();
-      for (std::size_t k = 0; k <= D; ++k) cell[k] = {site, elements[k]};
-    }
-    if (!cells.empty()) return cells;
-    return triangulate_first_orbit<D>(group_.frame(), group_.table(), sites_, group_.order(), predicates_,
-                                      site);
+    return true;
   }
 
   void insert_in_random_order(DelaunayHierarchy<D> hierarchy) {
@@ -116,13 +124,17 @@ class Run {
     } else if (result_.cycle = find_cycle(*cells); !result_.cycle) {
       result_.cells = *std::move(cells);
       return;
+    } else if (!invariance.is_whole()) {
+      cells = unfold<D>(table, whole, invariance, *cells);
     }
     ensure(!result_.switched_after.has_value(), "Corollary 9: no loop or 2-cycle after the switch");
-    const std::vector<Element> excluded = cycle_translations<D>(table, invariance, *cells);
-    result_.cover = options_.smallest_cover ? smallest_cover_without(group_.frame(), vectors(excluded))
-                                            : group_.complete_orbit_cover();
+    result_.cover = options_.smallest_cover
+                        ? smallest_cover_without(group_.frame(),
+                                                 vectors(cycle_translations<D>(table, invariance, *cells)))
+                        : group_.complete_orbit_cover();
     const Subgroup target = Subgroup::sublattice(table, *result_.cover);
-    ensure(!contains_any(target, excluded), "the complete-orbit cover is simplicial for every point set");
+    ensure(!has_short_cycle<D>(table, invariance, target, *cells),
+           "the complete-orbit cover is simplicial for every point set");
     result_.cells = *std::move(cells);
   }
 
@@ -138,10 +150,15 @@ class Run {
     return result;
   }
 
-  /// Corollary 9: no loop or 2-cycle if the largest empty ball's diameter is below delta/2.
+  /// Corollary 9: no loop or 2-cycle if the largest empty ball's diameter is below delta/2. Among few cells
+  /// they are looked for all the same: it costs little, and a wrong threshold cannot stay unnoticed.
   std::optional<ShortCycle> find_cycle(const std::vector<CellPoints<D>>& cells) {
-    if (Rational(4) * result_.empty_diameter_squared < group_.frame().delta_squared) return std::nullopt;
-    return find_short_cycle<D>(group_.table(), cells);
+    constexpr std::size_t kFewCells = 2000;
+    const bool has_none = Rational(4) * result_.empty_diameter_squared < group_.frame().delta_squared;
+    if (has_none && cells.size() > kFewCells) return std::nullopt;
+    const std::optional<ShortCycle> cycle = find_short_cycle<D>(group_.table(), cells);
+    ensure(!has_none || !cycle, "Corollary 9: no loop or 2-cycle where all empty balls are small");
+    return cycle;
   }
 
   typename FrameTriangulation<D>::Variance find_variance(const std::vector<CellPoints<D>>& cells) {

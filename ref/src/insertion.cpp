@@ -10,15 +10,32 @@ namespace flatdt::ref {
 template <int D>
 PeriodicDelaunay<D>::PeriodicDelaunay(const Setting<D>& setting, const Subgroup& subgroup,
                                       Insertion insertion)
-    : setting_(setting), insertion_(insertion), complex_(*setting.table, *setting.sites, subgroup) {}
+    : setting_(setting),
+      insertion_(insertion),
+      complex_(*setting.table, *setting.sites, subgroup),
+      by_rank_(insertion == Insertion::without_covers && subgroup.is_whole() &&
+               !setting.order->invariance_group().is_whole()) {}
 
 template <int D>
 void PeriodicDelaunay<D>::start(SiteId site, const std::vector<CellPoints<D>>& cells) {
+  const Subgroup& invariance = setting_.order->invariance_group();
   complex_.add_site(site);
-  complex_.assemble(
-      unfold<D>(*setting_.table, setting_.order->invariance_group(), complex_.subgroup(), cells),
-      *setting_.predicates);
+  if (by_rank_) {
+    const auto quotient = cells_modulo<D>(*setting_.table, complex_.subgroup(), cells, invariance.index());
+    if (quotient) complex_.assemble(*quotient, *setting_.predicates);
+    needs_smaller_group_ = !quotient.has_value();
+    ties_of_first_orbit_ = setting_.predicates->ties_within_orbits();
+    return;
+  }
+  complex_.assemble(unfold<D>(*setting_.table, invariance, complex_.subgroup(), cells), *setting_.predicates);
   for (std::uint32_t c = 0; c < complex_.cell_slots(); ++c) note_new(CellId{c});
+}
+
+template <int D>
+void PeriodicDelaunay<D>::start(SiteId site, const QuotientComplex<D>& of_one_orbit) {
+  ensure(insertion_ == Insertion::without_covers, "cells of a cover go to the list L");
+  complex_.add_site(site);
+  complex_.assume_cells(of_one_orbit);
 }
 
 template <int D>
@@ -101,8 +118,15 @@ void PeriodicDelaunay<D>::star_hole(VertexId q) {
 
 template <int D>
 void PeriodicDelaunay<D>::insert(SiteId site, std::uint32_t rep, const Location& at) {
+  if (needs_smaller_group_) return;
   const OrbitPoint q{site, complex_.subgroup().representative(rep)};
-  if (!collect_conflicts(q, at)) {
+  const bool found_all = collect_conflicts(q, at);
+  // The star of q among its own copies on a long lattice of boxes, as all of them are here, has such ties.
+  if (met_undecided_tie() || (by_rank_ && !found_all)) {
+    needs_smaller_group_ = true;
+    return;
+  }
+  if (!found_all) {
     const LongLatticeStar<D> star(setting_, complex_, q);
     replace_by_star(star.cells(), star.conflicts(at.cell));
     return;
@@ -115,7 +139,9 @@ void PeriodicDelaunay<D>::insert(SiteId site, std::uint32_t rep, const Location&
   ensure(insertion_ == Insertion::without_covers, "no cell of the conflict region occurs twice modulo H");
   std::vector<CellId> removed;
   for (const Location& here : region_) removed.push_back(here.cell);
-  replace_by_star(star_among_own_copies(q), std::move(removed));
+  const std::vector<CellPoints<D>> star = star_among_own_copies(q);
+  needs_smaller_group_ = met_undecided_tie();
+  if (!needs_smaller_group_) replace_by_star(star, std::move(removed));
 }
 
 template <int D>

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "flatdt/ref/quotient_complex.hpp"
+#include "star_filter.hpp"
 
 namespace flatdt::ref {
 
@@ -13,10 +14,18 @@ class LiftedStar {
  public:
   struct Cell {
     std::array<Lift, D + 1> lifts;  // positively oriented; q is one of them
-    bool certified = false;         // for the use of the caller; false in new cells
+    typename StarFilter<D>::Sphere sphere;
+    bool certified = false;  // for the use of the caller; false in new cells
   };
 
-  LiftedStar(const Lift& q, Predicates<D>& predicates) : q_(q), predicates_(&predicates) {}
+  LiftedStar(const Lift& q, Predicates<D>& predicates)
+      : q_(q), predicates_(&predicates), filter_(predicates.filter(), q.x, predicates.uses_filter()) {
+    // Stars of few points on a canonical lattice have up to 30 cells in space.
+    constexpr std::size_t kUsual = D == 2 ? 16 : 64;
+    cells_.reserve(kUsual);
+    gone_.reserve(kUsual / 2);
+    facets_.reserve(kUsual * D / 2);
+  }
 
   [[nodiscard]] const Lift& centre() const { return q_; }
   [[nodiscard]] std::vector<Cell>& cells() { return cells_; }
@@ -32,9 +41,22 @@ class LiftedStar {
   [[nodiscard]] std::vector<CellPoints<D>> points() const;
 
  private:
+  /// A facet through q of the cells that go.
+  struct Facet {
+    std::uint64_t hash;  // of its other points
+    std::uint32_t cell;
+    std::uint32_t opposite;
+  };
+  [[nodiscard]] bool same_points(const Facet& a, const Facet& b) const;
+  void collect_facets();
+
   Lift q_;
   Predicates<D>* predicates_;
+  StarFilter<D> filter_;
   std::vector<Cell> cells_;
+  // Kept between insertions.
+  std::vector<Cell> gone_;
+  std::vector<Facet> facets_;
 };
 
 extern template class LiftedStar<2>;

@@ -1,25 +1,21 @@
 #include "long_lattice_star.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
+#include "fixed_sphere.hpp"
 #include "flatdt/ref/first_orbit.hpp"
 #include "flatdt/ref/orbit_position.hpp"
 
 namespace flatdt::ref {
-namespace {
-
-/// The numbers of a point are too large for the fixed width: for this file only.
-struct DoesNotFit {};
-
-}  // namespace
 
 template <int D>
 LongLatticeStar<D>::LongLatticeStar(const Setting<D>& setting, const QuotientComplex<D>& complex,
                                     const OrbitPoint& q)
     : setting_(setting),
       complex_(&complex),
-      inverse_gram_(setting.frame->gram.inverse()),
+      links_(complex.vertex_count()),
       star_(complex.lift(q), *setting.predicates) {
   for (const CellPoints<D>& points : star_in_own_orbit<D>(*setting.frame, *setting.table, *setting.sites,
                                                           *setting.predicates, complex.subgroup(), q)) {
@@ -34,7 +30,7 @@ LongLatticeStar<D>::LongLatticeStar(const Setting<D>& setting, const QuotientCom
       ++i;
       continue;
     }
-    if (const auto vertex = conflicting_vertex(star_.cells()[i])) {
+    if (const auto vertex = conflicting_vertex(star_.cells()[i].lifts)) {
       ensure(star_.insert(*vertex), "a vertex in conflict with a cell of the star changes the star");
       i = 0;
     } else {
@@ -44,99 +40,178 @@ LongLatticeStar<D>::LongLatticeStar(const Setting<D>& setting, const QuotientCom
 }
 
 template <int D>
-Vector LongLatticeStar<D>::circumcentre(const std::array<Lift, D + 1>& cell) const {
+Vector LongLatticeStar<D>::circumcentre(const CellPoints<D>& cell) const {
   // With rows a_k = p_k - p_0: 2 A G (c - p_0) = (|a_k|^2).
-  const Vector origin = position(*setting_.table, *setting_.sites, cell[0].point);
+  const Matrix& gram = setting_.frame->gram;
+  const Vector origin = position(*setting_.table, *setting_.sites, cell[0]);
   Matrix rows(D);
   Vector right(D);
   for (int k = 0; k < D; ++k) {
     const Vector a =
-        position(*setting_.table, *setting_.sites, cell[static_cast<std::size_t>(k) + 1].point) - origin;
+        position(*setting_.table, *setting_.sites, cell[static_cast<std::size_t>(k) + 1]) - origin;
     for (int j = 0; j < D; ++j) rows(k, j) = a[j];
-    right[k] = squared_length(setting_.frame->gram, a);
+    right[k] = squared_length(gram, a);
   }
-  return origin + Rational(Integer(1), Integer(2)) * (inverse_gram_ * (rows.inverse() * right));
+  return origin + Rational(Integer(1), Integer(2)) * ((rows * gram).inverse() * right);
 }
 
 template <int D>
-Rational LongLatticeStar<D>::squared_distance(const Vector& centre, const OrbitPoint& p) const {
-  return squared_length(setting_.frame->gram, position(*setting_.table, *setting_.sites, p) - centre);
-}
-
-template <int D>
-std::vector<OrbitPoint> LongLatticeStar<D>::neighbours(const OrbitPoint& p) const {
-  std::vector<OrbitPoint> found;
-  for (const auto& at : complex_->star(p))
-    for (const OrbitPoint& other : complex_->points(at))
-      if (other != p) found.push_back(other);
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
+const std::vector<OrbitPoint>& LongLatticeStar<D>::link(VertexId v) {
+  std::vector<OrbitPoint>& found = links_[index_of(v)];
+  if (found.empty()) {
+    const OrbitPoint& base = complex_->vertex(v).point;
+    for (const auto& at : complex_->star(base))
+      for (const OrbitPoint& other : complex_->points(at))
+        if (other != base) found.push_back(other);
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+  }
   return found;
 }
 
-/// The translate of the first vertex whose coordinates differ from those of x by at most 1/2.
+/// Calls visit(other) for the neighbours of a point of GP in the complex, as long as it returns true.
 template <int D>
-OrbitPoint LongLatticeStar<D>::vertex_near(const Vector& x) const {
-  const OrbitPoint& first = complex_->vertex(VertexId{0}).point;
-  Vector steps = x - position(*setting_.table, *setting_.sites, first);
-  for (int i = 0; i < D; ++i) steps[i] = Rational(round_half_up(steps[i]));
-  return {first.site, setting_.table->multiply(setting_.table->element(Isometry::translate(steps)), first.g)};
+template <class Visit>
+void LongLatticeStar<D>::visit_neighbours(const OrbitPoint& p, const Visit& visit) {
+  const Subgroup::Split split = complex_->subgroup().split(p.g);
+  for (const OrbitPoint& other : link(complex_->vertex_of(p.site, split.rep)))
+    if (!visit(OrbitPoint{other.site, setting_.table->multiply(split.s, other.g)})) return;
+}
+
+/// The translate of the first vertex whose coordinates differ from those of x by about 1/2 at most.
+template <int D>
+OrbitPoint LongLatticeStar<D>::vertex_near(const std::array<double, 3>& x) const {
+  constexpr double kFarthest = 30000;
+  const Lift first = complex_->lift(complex_->vertex(VertexId{0}).point);
+  Element steps;
+  for (std::size_t i = 0; i < D; ++i) {
+    const double step = std::round(x[i] - first.x[i]);
+    if (std::fabs(step) < kFarthest) steps.t[i] = static_cast<std::int16_t>(step);
+  }
+  return {first.point.site, setting_.table->multiply(steps, first.point.g)};
+}
+
+/// A vertex nearest to the centre of the cell, as far as doubles can tell.
+/// The power of w, as in FixedSphere, is c.x - beta |x|^2 with x = w - p_0. Every step of the walk makes it
+/// grow and beta is positive, so the walk stays in a bounded set and ends. Where the doubles are no good it
+/// ends too soon, or does not begin.
+template <int D>
+OrbitPoint LongLatticeStar<D>::about_nearest(const std::array<Lift, D + 1>& cell) {
+  const Filter<D>& filter = setting_.predicates->filter();
+  const auto& origin = cell[0].x;
+  std::array<std::array<double, D>, D> b;
+  std::array<double, D> q;
+  for (std::size_t k = 0; k < D; ++k) {
+    for (std::size_t i = 0; i < D; ++i) b[k][i] = cell[k + 1].x[i] - origin[i];
+    q[k] = filter.approximate_squared_distance(cell[k + 1].x, origin);
+  }
+  std::array<double, D> c{};
+  double beta = 0;
+  if constexpr (D == 2) {
+    c = {b[1][1] * q[0] - b[0][1] * q[1], b[0][0] * q[1] - b[1][0] * q[0]};
+    beta = b[0][0] * b[1][1] - b[0][1] * b[1][0];
+  } else {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto &u = b[(k + 1) % 3], &v = b[(k + 2) % 3];
+      const std::array<double, 3> product{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                                          u[0] * v[1] - u[1] * v[0]};
+      for (std::size_t i = 0; i < 3; ++i) c[i] += q[k] * product[i];
+      beta += b[k][0] * product[0] / 3 + b[k][1] * product[1] / 3 + b[k][2] * product[2] / 3;
+    }
+  }
+  const auto power = [&](const OrbitPoint& p) {
+    const std::array<double, 3> x = complex_->coordinates(p);
+    double value = -beta * filter.approximate_squared_distance(x, origin);
+    for (std::size_t i = 0; i < D; ++i) value += c[i] * (x[i] - origin[i]);
+    return value;
+  };
+  // c = 2 beta G x at the centre.
+  std::array<double, 3> centre = origin;
+  const auto offset = filter.raised(c);
+  for (std::size_t i = 0; i < D; ++i) centre[i] += offset[i] / (2 * beta);
+  OrbitPoint nearest = vertex_near(centre);
+  if (!(beta > 0)) return nearest;
+  double best = power(nearest);
+  for (bool nearer = true; nearer;) {
+    nearer = false;
+    visit_neighbours(OrbitPoint(nearest), [&](const OrbitPoint& p) {
+      const double other = power(p);
+      if (best < other) {
+        nearest = p;
+        best = other;
+        nearer = true;
+      }
+      return true;
+    });
+  }
+  return nearest;
 }
 
 /// A vertex of GP in conflict with the cell, if there is one.
 /// A vertex of a Delaunay triangulation that is not nearest to a point c has a neighbour nearer to c; so the
 /// walk ends at a nearest vertex, and the others that are as near form one Delaunay face with it, so that
 /// they are found along edges. Distances from the circumcentre are compared by `power_of`: larger is nearer,
-/// 0 is on the sphere.
+/// 0 is on the sphere; nothing where its numbers do not fit, and then nothing at all.
 template <int D>
 template <class PowerOf>
-std::optional<Lift> LongLatticeStar<D>::nearest_in_conflict(const typename LiftedStar<D>::Cell& cell,
-                                                            OrbitPoint nearest,
-                                                            const PowerOf& power_of) const {
+typename LongLatticeStar<D>::Search LongLatticeStar<D>::nearest_in_conflict(
+    const std::array<Lift, D + 1>& cell, OrbitPoint nearest, const PowerOf& power_of) {
   auto power = power_of(nearest);
+  if (!power) return {false, std::nullopt};
+  bool fits = true;
   for (bool nearer = true; nearer;) {
     nearer = false;
-    for (const OrbitPoint& p : neighbours(nearest)) {
+    visit_neighbours(OrbitPoint(nearest), [&](const OrbitPoint& p) {
       const auto other = power_of(p);
-      if (!(power < other)) continue;
-      nearest = p;
-      power = other;
-      nearer = true;
-    }
+      fits = other.has_value();
+      if (fits && *power < *other) {
+        nearest = p;
+        power = other;
+        nearer = true;
+      }
+      return fits;
+    });
+    if (!fits) return {false, std::nullopt};
   }
-  if (power.sign() == Sign::positive) return complex_->lift(nearest);
-  if (power.sign() == Sign::negative) return std::nullopt;
+  if (power->sign() == Sign::positive) return {true, complex_->lift(nearest)};
+  if (power->sign() == Sign::negative) return {true, std::nullopt};
   std::vector<OrbitPoint> equals{nearest};
   std::set<OrbitPoint> known{nearest};
   for (std::size_t i = 0; i < equals.size(); ++i) {
     const Lift lift = complex_->lift(equals[i]);
-    const bool is_vertex = std::any_of(cell.lifts.begin(), cell.lifts.end(),
-                                       [&](const Lift& v) { return v.point == lift.point; });
-    if (!is_vertex && setting_.predicates->conflict_sos(cell.lifts, lift)) return lift;
-    for (const OrbitPoint& p : neighbours(equals[i]))
-      if (power_of(p) == power && known.insert(p).second) equals.push_back(p);
+    const bool is_vertex =
+        std::any_of(cell.begin(), cell.end(), [&](const Lift& v) { return v.point == lift.point; });
+    if (!is_vertex && setting_.predicates->conflict_sos(cell, lift)) return {true, lift};
+    visit_neighbours(OrbitPoint(equals[i]), [&](const OrbitPoint& p) {
+      const auto other = power_of(p);
+      fits = other.has_value();
+      if (fits && *other == *power && known.insert(p).second) equals.push_back(p);
+      return fits;
+    });
+    if (!fits) return {false, std::nullopt};
   }
-  return std::nullopt;
+  return {true, std::nullopt};
 }
 
 template <int D>
-std::optional<Lift> LongLatticeStar<D>::conflicting_vertex(const typename LiftedStar<D>::Cell& cell) const {
-  const Vector centre = circumcentre(cell.lifts);
-  const OrbitPoint start = vertex_near(centre);
+std::optional<Lift> LongLatticeStar<D>::conflicting_vertex(const std::array<Lift, D + 1>& cell) {
   CellPoints<D> points;
-  for (std::size_t k = 0; k <= D; ++k) points[k] = cell.lifts[k].point;
-  const FixedPredicates<D>& fixed = setting_.predicates->fixed();
-  try {
-    return nearest_in_conflict(cell, start, [&](const OrbitPoint& p) {
-      const auto value = fixed.insphere_value(points, p);
-      if (!value) throw DoesNotFit{};
-      return *value;
-    });
-  } catch (const DoesNotFit&) {
-    const Rational radius = squared_distance(centre, cell.lifts[0].point);
-    return nearest_in_conflict(cell, start,
-                               [&](const OrbitPoint& p) { return radius - squared_distance(centre, p); });
+  for (std::size_t k = 0; k <= D; ++k) points[k] = cell[k].point;
+  const OrbitPoint start = about_nearest(cell);
+  if (const auto sphere = FixedSphere<D>::make(setting_.predicates->fixed(), points)) {
+    const Search search =
+        nearest_in_conflict(cell, start, [&](const OrbitPoint& p) { return sphere->power(p); });
+    if (search.fits) return search.vertex;
   }
+  const Vector centre = circumcentre(points);
+  const auto squared_distance = [&](const OrbitPoint& p) {
+    return squared_length(setting_.frame->gram, position(*setting_.table, *setting_.sites, p) - centre);
+  };
+  const Rational radius = squared_distance(points[0]);
+  return nearest_in_conflict(
+             cell, start,
+             [&](const OrbitPoint& p) { return std::optional<Rational>(radius - squared_distance(p)); })
+      .vertex;
 }
 
 /// The stars of all copies of q fill the union of the cells in conflict with some copy. A facet without

@@ -18,24 +18,30 @@ class LongLatticeStar {
   LongLatticeStar(const Setting<D>& setting, const QuotientComplex<D>& complex, const OrbitPoint& q);
 
   /// The star of q in DT of the complex's points and Hq. Complexity: one nearest-vertex search for each cell
-  /// that it ever had, in exact rationals.
+  /// that it ever had.
   [[nodiscard]] std::vector<CellPoints<D>> cells() const { return star_.points(); }
   /// The cells modulo H that are in conflict with some copy of q. `located`: one of them.
   [[nodiscard]] std::vector<CellId> conflicts(CellId located) const;
 
  private:
+  struct Search {
+    bool fits;  // else nothing has been found out
+    std::optional<Lift> vertex;
+  };
+  [[nodiscard]] OrbitPoint vertex_near(const std::array<double, 3>& x) const;
+  [[nodiscard]] OrbitPoint about_nearest(const std::array<Lift, D + 1>& cell);
   template <class PowerOf>
-  [[nodiscard]] std::optional<Lift> nearest_in_conflict(const typename LiftedStar<D>::Cell& cell,
-                                                        OrbitPoint nearest, const PowerOf& power_of) const;
-  [[nodiscard]] std::optional<Lift> conflicting_vertex(const typename LiftedStar<D>::Cell& cell) const;
-  [[nodiscard]] Vector circumcentre(const std::array<Lift, D + 1>& cell) const;
-  [[nodiscard]] Rational squared_distance(const Vector& centre, const OrbitPoint& p) const;
-  [[nodiscard]] std::vector<OrbitPoint> neighbours(const OrbitPoint& p) const;
-  [[nodiscard]] OrbitPoint vertex_near(const Vector& x) const;
+  [[nodiscard]] Search nearest_in_conflict(const std::array<Lift, D + 1>& cell, OrbitPoint nearest,
+                                           const PowerOf& power_of);
+  [[nodiscard]] std::optional<Lift> conflicting_vertex(const std::array<Lift, D + 1>& cell);
+  [[nodiscard]] Vector circumcentre(const CellPoints<D>& cell) const;
+  [[nodiscard]] const std::vector<OrbitPoint>& link(VertexId v);
+  template <class Visit>
+  void visit_neighbours(const OrbitPoint& p, const Visit& visit);
 
   Setting<D> setting_;
   const QuotientComplex<D>* complex_;
-  Matrix inverse_gram_;
+  std::vector<std::vector<OrbitPoint>> links_;  // by vertex: the neighbours of its point, once asked for
   LiftedStar<D> star_;
 };
 

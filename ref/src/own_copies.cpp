@@ -20,7 +20,8 @@ std::vector<Lift> PeriodicDelaunay<D>::possible_own_neighbours(const OrbitPoint&
       if (visits_[v].seen != here.seen)
         found.push_back(table.multiply(q.g, table.multiply(table.inverse(visits_[v].seen), here.seen)));
   }
-  std::sort(found.begin(), found.end());
+  std::sort(found.begin(), found.end(),
+            [](const Element& g, const Element& h) { return g.packed() < h.packed(); });
   found.erase(std::unique(found.begin(), found.end()), found.end());
   const Lift centre = complex_.lift(q);
   std::vector<std::pair<double, Lift>> sorted;
@@ -73,7 +74,8 @@ void PeriodicDelaunay<D>::replace_by_star(const std::vector<CellPoints<D>>& star
   for (const CellId c : removed) complex_.delete_cell(c);
   for (const CellPoints<D>& points : cells) {
     const CellId c = complex_.add_cell(points, *setting_.predicates);
-    for (std::uint32_t k = 0; k <= D; ++k) facets.push_back(complex_.facet(c, k));
+    const CellPoints<D> base = complex_.base_points(c);
+    for (std::uint32_t k = 0; k <= D; ++k) facets.push_back(complex_.facet(c, base, k));
   }
   complex_.glue(facets);
 }

@@ -18,7 +18,9 @@ bool Predicates<D>::perturbed_conflict(const Simplex& cell, const Lift& w) {
   // first nonzero coefficient. Raising w's own height takes it out of every ball. For a vertex u the
   // coefficient is the orientation of the cell with w in u's place, relative to the cell's own (positive).
   int rounds = 0;
-  for (const std::size_t u : order) {
+  for (std::size_t i = 0; i <= D + 1; ++i) {
+    const std::size_t u = order[i];
+    if (i <= D && point(u).site == point(order[i + 1]).site) ++ties_within_orbits_;
     if (u == D + 1) return false;
     Simplex replaced = cell;
     replaced[u] = w;

@@ -31,42 +31,35 @@ PreparedGroup::PreparedGroup(const GroupAnalysis& analysis)
       to_instance_{frame_.basis, frame_.origin},
       site_maps_(frame_) {
   if (frame_.dimension == 2) {
-    std::get<0>(metrics_) = std::make_shared<const IntegralMetric<2>>(frame_);
+    std::get<0>(predicates_) = std::make_unique<const PredicateConstants<2>>(frame_, table_);
     std::get<0>(circumradii_) = std::make_shared<const CircumradiusConstants<2>>(frame_);
   } else {
-    std::get<1>(metrics_) = std::make_shared<const IntegralMetric<3>>(frame_);
+    std::get<1>(predicates_) = std::make_unique<const PredicateConstants<3>>(frame_, table_);
     std::get<1>(circumradii_) = std::make_shared<const CircumradiusConstants<3>>(frame_);
   }
   const Isometry back = to_instance_.inverse();
   for (const Isometry& g : frame_.cosets) cosets_in_instance_.push_back(to_instance_ * g * back);
 }
 
-namespace {
-
 template <int D>
-std::vector<std::array<Element, 4>> cells_of_the_origin(const PreparedGroup& group) {
-  const std::vector<Site> sites =
-      make_sites(group.frame(), group.site_maps(), {group.to_instance().translation});
-  Predicates<D> predicates(group.frame(), group.table(), sites, group.order(), PredicateStages::filtered,
-                           group.integral_metric<D>());
-  std::vector<std::array<Element, 4>> result;
-  for (const CellPoints<D>& cell : triangulate_first_orbit<D>(group.frame(), group.table(), sites,
-                                                              group.order(), predicates, SiteId{0})) {
-    std::array<Element, 4>& elements = result.emplace_back();
-    for (std::size_t k = 0; k <= D; ++k) elements[k] = cell[k].g;
-  }
-  return result;
-}
-
-}  // namespace
-
-const std::vector<std::array<Element, 4>>& PreparedGroup::lattice_cells() const {
-  std::call_once(lattice_once_, [this] {
+const QuotientComplex<D>* PreparedGroup::lattice_complex() const {
+  auto& complex = std::get<std::unique_ptr<const QuotientComplex<D>>>(lattice_complexes_);
+  std::call_once(lattice_once_, [&] {
     if (table_.cosets() > 1) return;
-    lattice_cells_ = frame_.dimension == 2 ? cells_of_the_origin<2>(*this) : cells_of_the_origin<3>(*this);
+    lattice_site_ = make_sites(frame_, site_maps_, {to_instance_.translation});
+    Predicates<D> predicates(predicate_constants<D>(), table_, lattice_site_, order_,
+                             PredicateStages::filtered);
+    auto made = std::make_unique<QuotientComplex<D>>(table_, lattice_site_, order_.invariance_group());
+    made->add_site(SiteId{0});
+    made->assemble(triangulate_first_orbit<D>(frame_, table_, lattice_site_, order_, predicates, SiteId{0}),
+                   predicates);
+    complex = std::move(made);
   });
-  return lattice_cells_;
+  return complex.get();
 }
+
+template const QuotientComplex<2>* PreparedGroup::lattice_complex<2>() const;
+template const QuotientComplex<3>* PreparedGroup::lattice_complex<3>() const;
 
 const Sublattice& PreparedGroup::complete_orbit_cover() const {
   std::call_once(cover_once_, [this] { cover_ = ref::complete_orbit_cover(frame_); });

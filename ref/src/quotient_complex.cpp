@@ -75,8 +75,8 @@ void QuotientComplex<D>::reserve(std::size_t vertices) {
 }
 
 template <int D>
-typename QuotientComplex<D>::FacetOccurrence QuotientComplex<D>::facet(CellId c, std::uint32_t k) const {
-  const CellPoints<D> points = base_points(c);
+typename QuotientComplex<D>::FacetOccurrence QuotientComplex<D>::facet(CellId c, const CellPoints<D>& points,
+                                                                       std::uint32_t k) const {
   std::array<OrbitPoint, D> face;
   for (std::size_t j = 0, i = 0; j <= D; ++j)
     if (j != k) face[i++] = points[j];
@@ -113,22 +113,47 @@ CellId QuotientComplex<D>::add_cell(CellPoints<D> points, Predicates<D>& predica
 }
 
 template <int D>
-void QuotientComplex<D>::glue(std::vector<FacetOccurrence>& facets) {
-  std::sort(facets.begin(), facets.end(), [](const FacetOccurrence& a, const FacetOccurrence& b) {
-    if (a.key != b.key) return a.key < b.key;
-    return a.cell != b.cell ? a.cell < b.cell : a.facet < b.facet;
-  });
-  ensure(facets.size() % 2 == 0, "every facet modulo H occurs exactly twice");
-  for (std::size_t i = 0; i < facets.size(); i += 2) {
-    const FacetOccurrence& a = facets[i];
-    const FacetOccurrence& b = facets[i + 1];
-    ensure(a.key == b.key && (i + 2 == facets.size() || facets[i + 2].key != a.key),
-           "every facet modulo H occurs exactly twice");
-    // a.n * facet_a = key = b.n * facet_b, so the neighbour across facet_a is (a.n^-1 b.n) * cell_b.
-    const Element gluing = table_->multiply(table_->inverse(a.multiplier), b.multiplier);
-    set_neighbour(a.cell, a.facet, b.cell, gluing);
-    set_neighbour(b.cell, b.facet, a.cell, table_->inverse(gluing));
+void QuotientComplex<D>::glue(const std::vector<FacetOccurrence>& facets) {
+  // Equal keys come together by their hashes.
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> order;
+  order.reserve(facets.size());
+  for (std::uint32_t i = 0; i < facets.size(); ++i) {
+    std::uint64_t hash = 0;
+    for (const OrbitPoint& p : facets[i].key)
+      hash = (hash ^ index_of(p.site) ^ p.g.packed()) * 0x9e3779b97f4a7c15U;
+    order.emplace_back(hash, i);
   }
+  std::sort(order.begin(), order.end());
+  for (std::size_t begin = 0; begin < order.size();) {
+    std::size_t end = begin;
+    while (end < order.size() && order[end].first == order[begin].first) ++end;
+    for (std::size_t i = begin; i < end; ++i) {
+      const FacetOccurrence& a = facets[order[i].second];
+      std::size_t equal = 0;
+      for (std::size_t j = begin; j < end; ++j) {
+        const FacetOccurrence& b = facets[order[j].second];
+        if (i == j || a.key != b.key) continue;
+        ++equal;
+        if (j < i) continue;
+        // a.n * facet_a = key = b.n * facet_b, so the neighbour across facet_a is (a.n^-1 b.n) * cell_b.
+        const Element gluing = table_->multiply(table_->inverse(a.multiplier), b.multiplier);
+        set_neighbour(a.cell, a.facet, b.cell, gluing);
+        set_neighbour(b.cell, b.facet, a.cell, table_->inverse(gluing));
+      }
+      ensure(equal == 1, "every facet modulo H occurs exactly twice");
+    }
+    begin = end;
+  }
+}
+
+template <int D>
+void QuotientComplex<D>::assume_cells(const QuotientComplex& of_one_orbit) {
+  ensure(
+      cells_.empty() && vertices_.size() == 1 && of_one_orbit.vertices_.size() == 1 && table_->cosets() == 1,
+      "cells are taken over from one orbit of a torus to another");
+  cells_ = of_one_orbit.cells_;
+  elements_ = of_one_orbit.elements_;
+  vertices_[0].cell = of_one_orbit.vertices_[0].cell;
 }
 
 template <int D>
@@ -136,10 +161,11 @@ void QuotientComplex<D>::assemble(const std::vector<CellPoints<D>>& cells, Predi
   ensure(cells_.empty(), "assemble fills an empty complex");
   std::vector<FacetOccurrence> facets;
   facets.reserve(cells.size() * (D + 1));
-  cells_.reserve(cells.size());
+  cells_.reserve(std::max(cells_.capacity(), cells.size()));
   for (const CellPoints<D>& points : cells) {
     const CellId id = add_cell(points, predicates);
-    for (std::uint32_t k = 0; k <= D; ++k) facets.push_back(facet(id, k));
+    const CellPoints<D> base = base_points(id);
+    for (std::uint32_t k = 0; k <= D; ++k) facets.push_back(facet(id, base, k));
   }
   glue(facets);
 }

@@ -35,20 +35,16 @@ Integer common_denominator(const Vector& v) {
 
 }  // namespace
 
-std::vector<Site> make_general_sites(const Frame& frame, const std::vector<Vector>& points) {
+std::vector<Site> make_general_sites(const Frame& frame, const SiteMaps& maps,
+                                     const std::vector<Vector>& points) {
   const int d = frame.dimension;
-  const Matrix to_frame = frame.basis.inverse();
-  const Matrix from_catalogue = frame.to_catalogue.inverse();
-  const Isometry to_catalogue{frame.to_catalogue, Vector(d)};
-  const Isometry to_catalogue_inverse{from_catalogue, Vector(d)};
-  std::vector<Isometry> cosets;
-  for (const Isometry& g : frame.cosets) cosets.push_back(to_catalogue * g * to_catalogue_inverse);
+  const Isometry frame_to_catalogue{frame.to_catalogue, Vector(d)};
 
   std::vector<Canonical> all;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Vector x = frame.to_catalogue * (to_frame * (points[i] - frame.origin));
+    const Vector x = maps.to_catalogue * points[i];
     std::optional<Canonical> best;
-    for (const Isometry& r : cosets) {
+    for (const Isometry& r : maps.catalogue_cosets) {
       const Vector y = r * x;
       const Vector shift = floor_vector(y);
       const Vector c = y - shift;
@@ -73,13 +69,14 @@ std::vector<Site> make_general_sites(const Frame& frame, const std::vector<Vecto
   Integer common = translation_denominator;
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Canonical& k = all[i];
-    const Vector y = from_catalogue * k.c;
+    const Vector y = maps.from_catalogue * k.c;
     const Vector shift = floor_vector(y);
     positions.push_back(y - shift);
     if (common.bits() <= kCommonDenominatorBits) common = lcm(common, common_denominator(positions.back()));
     sites[i].point = k.point;
     // p = to_point c (catalogue) = (F^-1 to_point F) T(shift) d in the frame, F = to_catalogue.
-    exact.push_back({{}, {}, to_catalogue_inverse * k.to_point * to_catalogue * Isometry::translate(shift)});
+    exact.push_back(
+        {{}, {}, maps.from_catalogue * k.to_point * frame_to_catalogue * Isometry::translate(shift)});
   }
   for (std::size_t i = 0; i < sites.size(); ++i) {
     Site& site = sites[i];
@@ -115,7 +112,7 @@ SiteMaps::SiteMaps(const Frame& frame)
 
 std::vector<Site> make_sites(const Frame& frame, const SiteMaps& maps, const std::vector<Vector>& points) {
   if (auto sites = make_small_sites(frame, maps, points)) return *std::move(sites);
-  return make_general_sites(frame, points);
+  return make_general_sites(frame, maps, points);
 }
 
 std::vector<Site> make_sites(const Frame& frame, const std::vector<Vector>& points) {

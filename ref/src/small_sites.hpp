@@ -15,6 +15,7 @@ std::optional<std::vector<Site>> make_small_sites(const Frame& frame, const Site
                                                   const std::vector<Vector>& points);
 
 /// The sites in the large form. Same order, coordinates and elements as the small form. Errors: make_sites'.
-std::vector<Site> make_general_sites(const Frame& frame, const std::vector<Vector>& points);
+std::vector<Site> make_general_sites(const Frame& frame, const SiteMaps& maps,
+                                     const std::vector<Vector>& points);
 
 }  // namespace flatdt::ref

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "flatdt/ref/families.hpp"
+#include "flatdt/ref/first_orbit.hpp"
 #include "flatdt/ref/instance_format.hpp"
 #include "flatdt/ref/triangulate.hpp"
 
@@ -53,6 +54,46 @@ INSTANTIATE_TEST_SUITE_P(Catalogue, EveryManifold, testing::ValuesIn(names()), [
     if (c == '-') c = '_';
   return name;
 });
+
+/// Points of the didicosm in general position need no order within orbits; a grid does. Whether the insertion
+/// stopped is asked of the level itself: the answer has the same bytes.
+bool is_inserted_by_rank(const Instance& instance) {
+  const PreparedGroup group(analyse(instance));
+  const std::vector<Site> sites = make_sites(group.frame(), instance.points);
+  Predicates<3> predicates(group.frame(), group.table(), sites, group.order(), PredicateStages::filtered);
+  Circumradius<3> circumradius(group.frame(), predicates);
+  const Setting<3> setting{&group.frame(), &group.table(), &sites,
+                           &group.order(), &predicates,    &circumradius};
+  PeriodicDelaunay<3> level(setting, Subgroup::whole(group.table()), Insertion::without_covers);
+  level.start(SiteId{0}, triangulate_first_orbit<3>(group.frame(), group.table(), sites, group.order(),
+                                                    predicates, SiteId{0}));
+  for (std::uint32_t i = 1; i < sites.size() && !level.needs_smaller_group(); ++i) {
+    level.add_site(SiteId{i});
+    level.insert(SiteId{i}, 0, level.locate(SiteId{i}, {}, {SiteId{i - 1}, {}}));
+  }
+  return !level.needs_smaller_group();
+}
+
+TEST(Didicosm, RanksDecideUnlessOrbitsTieWithinThemselves) {
+  const CatalogueEntry& entry = *find_entry("didicosm");
+  int by_rank = 0;
+  int not_by_rank = 0;
+  for (const char* family : {"uniform", "grid", "cospherical", "on-axis", "clustered"})
+    for (const long n : {2L, 5L, 12L, 40L}) {
+      const Instance instance = generate(entry, entry.name, family, n, static_cast<std::uint64_t>(n) + 3,
+                                         n == 5 ? "random" : "canonical");
+      ++(is_inserted_by_rank(instance) ? by_rank : not_by_rank);
+      TriangulationOptions modulo_the_subgroup;
+      modulo_the_subgroup.order = InsertionOrder::random;
+      const TriangulationResult other = triangulate(instance, analyse(instance), modulo_the_subgroup);
+      EXPECT_EQ(bytes(instance, Insertion::without_covers),
+                write_triangulation(other.triangulation, describe(other)))
+          << family << " " << n;
+    }
+  EXPECT_TRUE(is_inserted_by_rank(generate(entry, entry.name, "uniform", 60, 1)));
+  EXPECT_GT(by_rank, 3);
+  EXPECT_GT(not_by_rank, 3);
+}
 
 /// The regions of the second point and its copies only touch, and overlaps alone would give a tiling that is
 /// not Delaunay (INSERTION 3).

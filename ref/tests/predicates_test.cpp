@@ -4,27 +4,19 @@
 
 #include <gtest/gtest.h>
 
+#include "fixed_sphere.hpp"
 #include "flatdt/ref/families.hpp"
 #include "flatdt/ref/group_analysis.hpp"
 #include "flatdt/ref/instance_format.hpp"
+#include "split_mix.hpp"
+#include "star_filter.hpp"
 
 namespace flatdt::ref {
 namespace {
 
-class SplitMix {
- public:
-  explicit SplitMix(std::uint64_t seed) : state_(seed) {}
-  std::uint64_t next() {
-    std::uint64_t z = (state_ += 0x9e3779b97f4a7c15ULL);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-    return z ^ (z >> 31);
-  }
-  int below(int n) { return static_cast<int>(next() % static_cast<std::uint64_t>(n)); }
-
- private:
-  std::uint64_t state_;
-};
+int below(SplitMix64& random, int n) {
+  return static_cast<int>(random.next() % static_cast<std::uint64_t>(n));
+}
 
 /// A manifold with points, ready for predicates.
 template <int D>
@@ -39,12 +31,12 @@ struct World {
         fixed(analysis.frame, table, sites, order, PredicateStages::fixed_only),
         exact(analysis.frame, table, sites, order, PredicateStages::exact_only) {}
 
-  OrbitPoint random_point(SplitMix& random, int reach) const {
+  OrbitPoint random_point(SplitMix64& random, int reach) const {
     Element g;
-    g.coset = static_cast<std::uint16_t>(random.below(table.cosets()));
+    g.coset = static_cast<std::uint16_t>(below(random, table.cosets()));
     for (std::size_t i = 0; i < D; ++i)
-      g.t[i] = static_cast<std::int16_t>(random.below(2 * reach + 1) - reach);
-    return {SiteId{static_cast<std::uint32_t>(random.below(static_cast<int>(sites.size())))}, g};
+      g.t[i] = static_cast<std::int16_t>(below(random, 2 * reach + 1) - reach);
+    return {SiteId{static_cast<std::uint32_t>(below(random, static_cast<int>(sites.size())))}, g};
   }
   Lift lift(const OrbitPoint& p) const { return {table.apply(p.g, sites[index_of(p.site)].approximate), p}; }
 
@@ -86,10 +78,29 @@ Sign insphere_by_definition(const World<D>& world, const std::array<Lift, D + 1>
   return (squared_length(gram, centre) - squared_length(gram, x - centre)).sign();
 }
 
+/// By the filter for stars, with the cell's first vertex for the centre; the cell positively oriented.
+template <int D>
+std::optional<Sign> insphere_about_first(const World<D>& world, const std::array<Lift, D + 1>& cell,
+                                         const Lift& w) {
+  StarFilter<D> filter(world.filtered.filter(), cell[0].x, true);
+  std::array<typename StarFilter<D>::Offset, D> others;
+  for (std::size_t k = 0; k < D; ++k) others[k] = filter.see(cell[k + 1].x);
+  const auto seen = filter.see(w.x);
+  std::array<typename StarFilter<D>::Offset, D - 1> base;
+  std::copy(others.begin(), others.end() - 1, base.begin());
+  if (const auto sign = filter.orientation(filter.plane(base), others[D - 1])) {
+    EXPECT_EQ(*sign, Sign::positive);
+  }
+  const auto sign = filter.insphere(filter.sphere(others, false), seen);
+  std::swap(others[0], others[1]);
+  EXPECT_EQ(filter.insphere(filter.sphere(others, true), seen), sign);
+  return sign;
+}
+
 template <int D>
 void stages_agree(const Instance& instance, std::uint64_t seed, int& zero_orientations, int& zero_inspheres) {
   World<D> world(instance);
-  SplitMix random(seed);
+  SplitMix64 random(seed);
   for (int round = 0; round < 400; ++round) {
     std::array<Lift, D + 1> cell;
     for (Lift& p : cell) p = world.lift(world.random_point(random, round % 3));
@@ -106,6 +117,9 @@ void stages_agree(const Instance& instance, std::uint64_t seed, int& zero_orient
     for (const Lift& p : cell) is_vertex = is_vertex || p.point == w.point;
     if (is_vertex) continue;
     const Sign insphere = world.exact.insphere(cell, w);
+    if (const auto sign = insphere_about_first<D>(world, cell, w)) {
+      ASSERT_EQ(*sign, insphere);
+    }
     ASSERT_EQ(world.filtered.insphere(cell, w), insphere);
     ASSERT_EQ(world.fixed.insphere(cell, w), insphere);
     ASSERT_EQ(insphere_by_definition<D>(world, cell, w), insphere);
@@ -158,8 +172,9 @@ TEST(Predicates, FixedWidthAtItsLimits) {
     const World<3> world(instance);
     const FixedPredicates<3> fixed(world.analysis.frame, world.table, world.sites);
     ExactPredicates<3> exact(world.analysis.frame, world.table, world.sites);
-    SplitMix random(static_cast<std::uint64_t>(bits));
+    SplitMix64 random(static_cast<std::uint64_t>(bits));
     int spoken = 0;
+    int powers = 0;
     for (int round = 0; round < 300; ++round) {
       std::array<OrbitPoint, 4> cell;
       for (OrbitPoint& p : cell) p = world.random_point(random, round % 3);
@@ -170,9 +185,15 @@ TEST(Predicates, FixedWidthAtItsLimits) {
       if (const auto sign = fixed.insphere(cell, w)) {
         ++spoken;
         ASSERT_EQ(*sign, exact.insphere(cell, w));
+        const auto sphere = FixedSphere<3>::make(fixed, cell);
+        if (const auto power = sphere ? sphere->power(w) : std::nullopt) {
+          ++powers;
+          ASSERT_EQ(power->sign(), *sign);
+        }
       }
     }
     EXPECT_EQ(spoken > 0, bits <= 62) << bits;
+    EXPECT_EQ(powers > 0, bits <= 62) << bits;
   }
 }
 
@@ -181,7 +202,7 @@ TEST(Predicates, FixedWidthAtItsLimits) {
 TEST(Predicates, StagesAgreeOnUnrelatedLongDenominators) {
   int zero_orientations = 0;
   int zero_inspheres = 0;
-  SplitMix random(9);
+  SplitMix64 random(9);
   for (const char* manifold : {"klein-bottle", "dicosm"}) {
     Instance instance = make(manifold, "uniform", 6, 1);
     for (std::size_t i = 0; i < instance.points.size(); ++i) {
@@ -191,7 +212,7 @@ TEST(Predicates, StagesAgreeOnUnrelatedLongDenominators) {
       mpz_ui_pow_ui(denominator.get_mpz_t(), kPowers[i].first, kPowers[i].second);
       for (int k = 0; k < instance.dimension; ++k)
         instance.points[i][k] =
-            Rational(Integer(mpz_class(denominator / (2 + random.below(97)))), Integer(denominator));
+            Rational(Integer(mpz_class(denominator / (2 + below(random, 97)))), Integer(denominator));
     }
     if (instance.dimension == 2)
       stages_agree<2>(instance, 1, zero_orientations, zero_inspheres);
@@ -265,7 +286,7 @@ TEST(Perturbation, UnitCubeOfTheTorus) {
 
 /// The order is total, and left-invariant under its invariance group: a < b implies g a < g b.
 TEST(TieOrder, IsLeftInvariant) {
-  SplitMix random(7);
+  SplitMix64 random(7);
   for (const CatalogueEntry& entry : catalogue()) {
     const Instance instance = make(entry.name.c_str(), "uniform", 3, 11);
     const Frame frame = analyse(instance).frame;
@@ -273,9 +294,9 @@ TEST(TieOrder, IsLeftInvariant) {
     const TieOrder order(frame, table);
     const auto element = [&] {
       Element g;
-      g.coset = static_cast<std::uint16_t>(random.below(table.cosets()));
+      g.coset = static_cast<std::uint16_t>(below(random, table.cosets()));
       for (int i = 0; i < entry.dimension; ++i)
-        g.t[static_cast<std::size_t>(i)] = static_cast<std::int16_t>(random.below(5) - 2);
+        g.t[static_cast<std::size_t>(i)] = static_cast<std::int16_t>(below(random, 5) - 2);
       return g;
     };
     EXPECT_EQ(order.invariance_group().is_whole(), entry.left_orderable) << entry.name;
@@ -293,7 +314,7 @@ TEST(TieOrder, IsLeftInvariant) {
 }
 
 TEST(Perturbation, IsInvariantUnderTheGroupOnTies) {
-  SplitMix random(3);
+  SplitMix64 random(3);
   int ties = 0;
   for (const CatalogueEntry& entry : catalogue()) {
     if (entry.dimension != 3) continue;
@@ -324,17 +345,17 @@ TEST(Perturbation, IsInvariantUnderTheGroupOnTies) {
 
 /// GroupTable against exact isometries.
 TEST(GroupTable, MultipliesLikeIsometries) {
-  SplitMix random(5);
+  SplitMix64 random(5);
   for (const CatalogueEntry& entry : catalogue()) {
     const Frame frame = analyse(make(entry.name.c_str(), "skew-basis", 2, 4)).frame;
     const GroupTable table(frame);
     for (int round = 0; round < 100; ++round) {
       Element g, h;
-      g.coset = static_cast<std::uint16_t>(random.below(table.cosets()));
-      h.coset = static_cast<std::uint16_t>(random.below(table.cosets()));
+      g.coset = static_cast<std::uint16_t>(below(random, table.cosets()));
+      h.coset = static_cast<std::uint16_t>(below(random, table.cosets()));
       for (int i = 0; i < entry.dimension; ++i) {
-        g.t[static_cast<std::size_t>(i)] = static_cast<std::int16_t>(random.below(21) - 10);
-        h.t[static_cast<std::size_t>(i)] = static_cast<std::int16_t>(random.below(21) - 10);
+        g.t[static_cast<std::size_t>(i)] = static_cast<std::int16_t>(below(random, 21) - 10);
+        h.t[static_cast<std::size_t>(i)] = static_cast<std::int16_t>(below(random, 21) - 10);
       }
       EXPECT_EQ(table.isometry(table.multiply(g, h)), table.isometry(g) * table.isometry(h));
       EXPECT_TRUE(table.multiply(g, table.inverse(g)).is_identity());

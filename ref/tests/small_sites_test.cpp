@@ -20,7 +20,7 @@ TEST(SmallSites, AreTheGeneralOnes) {
         const Instance instance = generate(entry, entry.name, family, 9, seed++, metric);
         const Frame frame = analyse(instance).frame;
         const auto small = make_small_sites(frame, SiteMaps(frame), instance.points);
-        const std::vector<Site> general = make_general_sites(frame, instance.points);
+        const std::vector<Site> general = make_general_sites(frame, SiteMaps(frame), instance.points);
         if (!small) continue;  // counted below
         ++compared;
         ASSERT_EQ(small->size(), general.size());

@@ -263,7 +263,7 @@ TEST(Covers, BoundingOneEndOfAnEdgeIsNotEnough) {
       level.insert(q, rep,
                    level.locate(q, copy, level.start_near(level.complex().lift(OrbitPoint{q, copy}))));
     }
-    return !contains_any(subgroup, cycle_translations<2>(table, subgroup, level.complex().all_cells()));
+    return !has_short_cycle<2>(table, subgroup, subgroup, level.complex().all_cells());
   };
   Element six;
   six.t[0] = 6;

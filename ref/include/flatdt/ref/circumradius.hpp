@@ -49,20 +49,28 @@ class Circumradius {
   /// `lift(p)` is the lift of a point of GP. Requires: at least one cell.
   template <class LiftOf>
   [[nodiscard]] Rational squared_diameter(const std::vector<CellPoints<D>>& cells, const LiftOf& lift) {
-    std::vector<Candidate> candidates;
-    std::set<typename FixedPredicates<D>::Edges> known;
-    double least = -1;
-    for (const CellPoints<D>& points : cells) {
+    const auto lifts = [&lift](const CellPoints<D>& points) {
       std::array<Lift, D + 1> cell;
       for (std::size_t k = 0; k <= D; ++k) cell[k] = lift(points[k]);
-      if (upper_bound(cell) < least) continue;
+      return cell;
+    };
+    // A lower bound from the cell that looks largest leaves few others.
+    std::vector<double> upper;
+    upper.reserve(cells.size());
+    for (const CellPoints<D>& points : cells) upper.push_back(upper_bound(lifts(points)));
+    const auto first = static_cast<std::size_t>(std::max_element(upper.begin(), upper.end()) - upper.begin());
+    double least = enclose(lifts(cells[first]), kUnbounded).lo;
+    std::vector<Candidate> candidates;
+    std::set<typename FixedPredicates<D>::Edges> known;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      if (upper[i] < least) continue;
       // Congruent cells, of which lattices have many, are compared once.
-      const auto edges = predicates_->fixed().edges(points);
+      const auto edges = predicates_->fixed().edges(cells[i]);
       if (edges && !known.insert(*edges).second) continue;
-      const Interval r = enclose(cell, kUnbounded);
+      const Interval r = enclose(lifts(cells[i]), kUnbounded);
       if (r.hi < least) continue;
       least = std::max(least, r.lo);
-      candidates.push_back({r.hi, points});
+      candidates.push_back({r.hi, cells[i]});
     }
     return largest(candidates, least);
   }

@@ -15,7 +15,6 @@ namespace flatdt::ref {
 class ElementStore {
  public:
   using Code = std::uint16_t;
-  static constexpr Code kIdentity = 0x888;
 
   [[nodiscard]] Element operator[](Code code) const {
     if (code >= kNumbered) return numbered_[code - kNumbered];

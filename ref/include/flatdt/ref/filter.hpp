@@ -43,8 +43,30 @@ class Filter {
   /// strictly inside the circumsphere of a positively oriented p.
   [[nodiscard]] std::optional<Sign> insphere(const std::array<Point, D + 1>& p, const Point& w) const;
 
+  /// Whether insphere() ever speaks.
+  [[nodiscard]] bool enabled() const { return enabled_; }
+  /// Error bounds of the two determinants when the differences of the points from one of them, at `origin`,
+  /// are computed as at most `largest` along each axis.
+  struct Bounds {
+    double orientation;
+    double insphere;
+  };
+  [[nodiscard]] Bounds bounds(const Point& origin, std::array<double, D> largest) const;
+  /// x^T G x, G scaled; the error analysis above is of this order of evaluation.
+  [[nodiscard]] double squared_length(const std::array<double, D>& x) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < D; ++i) {
+      double row = 0;
+      for (std::size_t j = 0; j < D; ++j) row += gram_[i][j] * x[j];
+      sum += row * x[i];
+    }
+    return sum;
+  }
+
   /// Squared length of p - q in scaled Gram units: an approximation for heuristics only.
   [[nodiscard]] double approximate_squared_distance(const Point& p, const Point& q) const;
+  /// About G^-1 c, G scaled: for heuristics only.
+  [[nodiscard]] std::array<double, D> raised(const std::array<double, D>& c) const;
 
  private:
   [[nodiscard]] double eta(const Point& origin, const std::array<double, D>& largest) const;
@@ -52,6 +74,7 @@ class Filter {
   bool enabled_ = true;
   double row_sum_;
   std::array<std::array<double, 3>, 3> gram_{};
+  std::array<std::array<double, 3>, 3> inverse_gram_{};
 };
 
 template <int D>
@@ -59,6 +82,34 @@ double Filter<D>::eta(const Point& origin, const std::array<double, D>& largest)
   double x = 0;
   for (std::size_t i = 0; i < D; ++i) x = std::max(x, std::fabs(origin[i]) + largest[i]);
   return 2.25 * 0x1p-48 * (row_sum_ + 1 + x);
+}
+
+template <int D>
+typename Filter<D>::Bounds Filter<D>::bounds(const Point& origin, std::array<double, D> largest) const {
+  const double h = eta(origin, largest);
+  for (double& value : largest) value += h;
+  double q_bound = 0;
+  double q_slope = 0;
+  for (std::size_t i = 0; i < D; ++i) {
+    double row = 0;
+    double plain = 0;
+    for (std::size_t j = 0; j < D; ++j) {
+      row += std::fabs(gram_[i][j]) * largest[j];
+      plain += std::fabs(gram_[i][j]);
+    }
+    q_bound += row * largest[i];
+    q_slope += plain * largest[i];
+  }
+  const double kappa = 24 * 0x1p-53 * q_bound + 2.1 * h * q_slope;
+  const double xy = largest[0] * largest[1];
+  if constexpr (D == 2) {
+    return {3 * (12 * 0x1p-53 * xy + h * (largest[0] + largest[1])),
+            7 * (12 * 0x1p-53 * xy * q_bound + h * (largest[0] + largest[1]) * q_bound + kappa * xy)};
+  } else {
+    const double xz = largest[0] * largest[2], yz = largest[1] * largest[2], xyz = xy * largest[2];
+    return {7 * (12 * 0x1p-53 * xyz + h * (xy + xz + yz)),
+            25 * (12 * 0x1p-53 * xyz * q_bound + h * (xy + xz + yz) * q_bound + kappa * xyz)};
+  }
 }
 
 template <int D>
@@ -154,6 +205,14 @@ double Filter<D>::approximate_squared_distance(const Point& p, const Point& q) c
   for (std::size_t i = 0; i < D; ++i)
     for (std::size_t j = 0; j < D; ++j) sum += gram_[i][j] * (p[i] - q[i]) * (p[j] - q[j]);
   return sum;
+}
+
+template <int D>
+std::array<double, D> Filter<D>::raised(const std::array<double, D>& c) const {
+  std::array<double, D> result{};
+  for (std::size_t i = 0; i < D; ++i)
+    for (std::size_t j = 0; j < D; ++j) result[i] += inverse_gram_[i][j] * c[j];
+  return result;
 }
 
 extern template class Filter<2>;

@@ -25,10 +25,24 @@
 
 namespace flatdt::ref {
 
+/// The Gram matrix in machine integers, cleared of denominators.
+template <int D>
+struct FixedMetric {
+  explicit FixedMetric(const Frame& frame);
+  /// <a, a>. Requires: the entries of a are below 2^62.
+  [[nodiscard]] WideInteger<3> squared_length(const std::array<std::int64_t, D>& a) const;
+
+  bool fits = false;  // all entries are below 2^62
+  int bits = 0;       // and below 2^bits
+  std::array<std::array<std::int64_t, D>, D> gram{};
+};
+
 template <int D>
 class FixedPredicates {
  public:
-  FixedPredicates(const Frame& frame, const GroupTable& table, const std::vector<Site>& sites);
+  FixedPredicates(const Frame& frame, const GroupTable& table, const std::vector<Site>& sites)
+      : FixedPredicates(FixedMetric<D>(frame), table, sites) {}
+  FixedPredicates(const FixedMetric<D>& metric, const GroupTable& table, const std::vector<Site>& sites);
 
   /// Sign of det(p_1 - p_0, ..., p_D - p_0), if the numbers fit.
   [[nodiscard]] std::optional<Sign> orientation(const std::array<OrbitPoint, D + 1>& p) const;
@@ -36,16 +50,13 @@ class FixedPredicates {
   [[nodiscard]] std::optional<Sign> insphere(const std::array<OrbitPoint, D + 1>& p,
                                              const OrbitPoint& w) const;
 
-  /// The insphere determinant as a number, if the numbers fit: for one cell and several w it grows as the
-  /// distance of w from the cell's circumcentre falls (its sign as above, the cell positively oriented).
-  using Value = WideInteger<6>;
-  [[nodiscard]] std::optional<Value> insphere_value(const std::array<OrbitPoint, D + 1>& p,
-                                                    const OrbitPoint& w) const;
-
   using Row = std::array<std::int64_t, D>;
   /// The edges p_k - p_0 of a cell over the common denominator: two cells with the same are translates.
   using Edges = std::array<Row, D>;
   [[nodiscard]] std::optional<Edges> edges(const std::array<OrbitPoint, D + 1>& p) const;
+  /// p - from over the common denominator, below 2^62, if the numbers fit.
+  [[nodiscard]] std::optional<Row> difference(const OrbitPoint& p, const OrbitPoint& from) const;
+  [[nodiscard]] const FixedMetric<D>& metric() const { return metric_; }
 
  private:
   /// rows[k] = common * (p_k - w); returns the least b with all entries below 2^b, or nothing if b > 62 or a
@@ -59,10 +70,11 @@ class FixedPredicates {
   bool enabled_ = false;
   std::int64_t denominator_ = 0;
   std::int64_t unit_ = 0;  // denominator / translation denominator
-  std::array<std::array<std::int64_t, D>, D> gram_{};
-  int gram_bits_ = 0;
+  FixedMetric<D> metric_;
 };
 
+extern template struct FixedMetric<2>;
+extern template struct FixedMetric<3>;
 extern template class FixedPredicates<2>;
 extern template class FixedPredicates<3>;
 

@@ -71,7 +71,7 @@ class GroupTable {
             r[6] * x[0] + r[7] * x[1] + r[8] * x[2] + tau[2] + g.t[2]};
   }
   /// g x exactly, for x over a denominator that is a multiple of translation_denominator().
-  /// Requires: denominator < 2^42 and |x| < 2^42, so that 2^16 lattice vectors stay below 2^60.
+  /// Requires: with |x| <= denominator, (row_sum() + 1 + |t|) * denominator is below 2^62.
   [[nodiscard]] std::array<std::int64_t, 3> apply(const Element& g, const std::array<std::int64_t, 3>& x,
                                                   std::int64_t denominator) const {
     const Linear& r = linear_[g.coset];

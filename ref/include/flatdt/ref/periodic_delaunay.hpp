@@ -39,21 +39,29 @@ struct Location {
 /// How orbits are inserted.
 enum class Insertion : std::uint8_t {
   covering,       // Section 4: all copies modulo a sublattice until Corollary 9 is met
-  without_covers  // modulo the tie order's invariance group from the first point on
+  without_covers  // modulo a fixed group from the first point on
 };
 
 template <int D>
 class PeriodicDelaunay {
  public:
-  /// Requires for without_covers: `subgroup` is the tie order's invariance group.
+  /// Requires for without_covers: `subgroup` is the tie order's invariance group, or the whole group. If
+  /// that is more than the invariance group, orbits are inserted by rank: see needs_smaller_group().
   PeriodicDelaunay(const Setting<D>& setting, const Subgroup& subgroup,
                    Insertion insertion = Insertion::covering);
 
   /// The first orbit, as a block: cells modulo the tie order's invariance group.
   void start(SiteId site, const std::vector<CellPoints<D>>& cells);
 
+  /// The same on a torus, without covers: its cells are those of any orbit.
+  void start(SiteId site, const QuotientComplex<D>& of_one_orbit);
+
   [[nodiscard]] const QuotientComplex<D>& complex() const { return complex_; }
   [[nodiscard]] bool is_on_manifold() const { return complex_.subgroup().is_whole(); }
+  /// Inserting by rank (docs/theory.md, section 7) a tie was met that the ranks of the orbits do not decide,
+  /// or a long lattice. The complex has then not been changed and will not be any more: start again modulo
+  /// the tie order's invariance group.
+  [[nodiscard]] bool needs_smaller_group() const { return needs_smaller_group_; }
 
   /// Number of vertices that an orbit has here: [G:H].
   [[nodiscard]] std::uint32_t copies() const { return complex_.subgroup().index(); }
@@ -113,6 +121,10 @@ class PeriodicDelaunay {
   [[nodiscard]] const Visit* find_visit(const Location& where) const;
   void record_visit(const Location& where, bool conflict);
   [[nodiscard]] bool in_conflict(CellId c, const OrbitPoint& seen) const;
+  /// By rank: was there a tie since start() that the ranks did not decide?
+  [[nodiscard]] bool met_undecided_tie() const {
+    return by_rank_ && setting_.predicates->ties_within_orbits() != ties_of_first_orbit_;
+  }
   void add_boundary_facet(const Location& inside, std::uint32_t facet, const Element& lift);
   /// The latest visit of a cell in the present search.
   [[nodiscard]] std::uint32_t last_visit(CellId c) const {
@@ -130,6 +142,9 @@ class PeriodicDelaunay {
   Setting<D> setting_;
   Insertion insertion_;
   QuotientComplex<D> complex_;
+  bool by_rank_ = false;
+  bool needs_smaller_group_ = false;
+  std::size_t ties_of_first_orbit_ = 0;
   std::size_t large_cells_ = 0;
   std::vector<bool> large_;  // by cell: belongs to the list L (Section 4.1)
   std::uint64_t walk_state_ = 0x9e3779b97f4a7c15ULL;

@@ -24,18 +24,29 @@ struct Lift {
 /// The stages before the last one, which is GMP's integers.
 enum class PredicateStages : std::uint8_t { filtered, filter_only, fixed_only, exact_only };
 
+/// What depends on the metric and the group alone, made once for many point sets.
+template <int D>
+struct PredicateConstants {
+  PredicateConstants(const Frame& frame, const GroupTable& table)
+      : filter(frame, table.row_sum()),
+        fixed(frame),
+        integral(std::make_shared<const IntegralMetric<D>>(frame)) {}
+  Filter<D> filter;
+  FixedMetric<D> fixed;
+  std::shared_ptr<const IntegralMetric<D>> integral;
+};
+
 template <int D>
 class Predicates {
  public:
   Predicates(const Frame& frame, const GroupTable& table, const std::vector<Site>& sites,
              const TieOrder& order, PredicateStages stages)
-      : Predicates(frame, table, sites, order, stages, std::make_shared<const IntegralMetric<D>>(frame)) {}
-  /// With a metric that is made once for many point sets.
-  Predicates(const Frame& frame, const GroupTable& table, const std::vector<Site>& sites,
-             const TieOrder& order, PredicateStages stages, std::shared_ptr<const IntegralMetric<D>> metric)
-      : filter_(frame, table.row_sum()),
-        fixed_(frame, table, sites),
-        exact_(std::move(metric), table, sites),
+      : Predicates(PredicateConstants<D>(frame, table), table, sites, order, stages) {}
+  Predicates(const PredicateConstants<D>& constants, const GroupTable& table, const std::vector<Site>& sites,
+             const TieOrder& order, PredicateStages stages)
+      : filter_(constants.filter),
+        fixed_(constants.fixed, table, sites),
+        exact_(constants.integral, table, sites),
         order_(&order),
         use_filter_(stages == PredicateStages::filtered || stages == PredicateStages::filter_only),
         use_fixed_(stages == PredicateStages::filtered || stages == PredicateStages::fixed_only) {}
@@ -78,7 +89,12 @@ class Predicates {
     return exact_.insphere(points(cell), w.point);
   }
 
+  /// How often the perturbation has asked for the largest of points of which two that might be it are in one
+  /// orbit, so that the ranks of the orbits alone did not answer.
+  [[nodiscard]] std::size_t ties_within_orbits() const { return ties_within_orbits_; }
+
   [[nodiscard]] const Filter<D>& filter() const { return filter_; }
+  [[nodiscard]] bool uses_filter() const { return use_filter_; }
   [[nodiscard]] const FixedPredicates<D>& fixed() const { return fixed_; }
   [[nodiscard]] ExactPredicates<D>& exact() { return exact_; }
 
@@ -101,6 +117,7 @@ class Predicates {
   const TieOrder* order_;
   bool use_filter_;
   bool use_fixed_;
+  std::size_t ties_within_orbits_ = 0;
 };
 
 extern template class Predicates<2>;

@@ -30,18 +30,20 @@ class PreparedGroup {
   [[nodiscard]] const Sublattice& complete_orbit_cover() const;
 
   [[nodiscard]] const SiteMaps& site_maps() const { return site_maps_; }
-  /// For the predicates and the circumradii of the group's dimension D; null for the other.
+  /// Requires: D is the group's dimension.
   template <int D>
-  [[nodiscard]] const std::shared_ptr<const IntegralMetric<D>>& integral_metric() const {
-    return std::get<std::shared_ptr<const IntegralMetric<D>>>(metrics_);
+  [[nodiscard]] const PredicateConstants<D>& predicate_constants() const {
+    return *std::get<std::unique_ptr<const PredicateConstants<D>>>(predicates_);
   }
+  /// For the circumradii of the group's dimension D; null for the other.
   template <int D>
   [[nodiscard]] const std::shared_ptr<const CircumradiusConstants<D>>& circumradius_constants() const {
     return std::get<std::shared_ptr<const CircumradiusConstants<D>>>(circumradii_);
   }
-  /// DT(Gq) of a point q on a torus, where it does not depend on q: the cells of each q as the elements that
-  /// take q to their vertices. Empty for other groups. Found at the first call.
-  [[nodiscard]] const std::vector<std::array<Element, 4>>& lattice_cells() const;
+  /// DT(Gq) of a point q on a torus, whose cells are the same for each q; null for other groups. Found at the
+  /// first call. Requires: D is the group's dimension.
+  template <int D>
+  [[nodiscard]] const QuotientComplex<D>* lattice_complex() const;
 
   /// An element of the frame, {translation} * coset, as an element of the instance's group.
   /// Complexity: a few additions of rationals.
@@ -57,13 +59,19 @@ class PreparedGroup {
   Isometry to_instance_;
   std::vector<Isometry> cosets_in_instance_;
   SiteMaps site_maps_;
-  std::tuple<std::shared_ptr<const IntegralMetric<2>>, std::shared_ptr<const IntegralMetric<3>>> metrics_;
+  std::tuple<std::unique_ptr<const PredicateConstants<2>>, std::unique_ptr<const PredicateConstants<3>>>
+      predicates_;
   std::tuple<std::shared_ptr<const CircumradiusConstants<2>>, std::shared_ptr<const CircumradiusConstants<3>>>
       circumradii_;
   mutable std::once_flag lattice_once_;
-  mutable std::vector<std::array<Element, 4>> lattice_cells_;
+  mutable std::vector<Site> lattice_site_;
+  mutable std::tuple<std::unique_ptr<const QuotientComplex<2>>, std::unique_ptr<const QuotientComplex<3>>>
+      lattice_complexes_;
   mutable std::once_flag cover_once_;
   mutable std::optional<Sublattice> cover_;
 };
+
+extern template const QuotientComplex<2>* PreparedGroup::lattice_complex<2>() const;
+extern template const QuotientComplex<3>* PreparedGroup::lattice_complex<3>() const;
 
 }  // namespace flatdt::ref

@@ -151,7 +151,9 @@ class QuotientComplex {
     CellId cell;
     std::uint32_t facet;
   };
-  [[nodiscard]] FacetOccurrence facet(CellId c, std::uint32_t k) const;
+  [[nodiscard]] FacetOccurrence facet(CellId c, std::uint32_t k) const { return facet(c, base_points(c), k); }
+  /// The same, given the points of the base lift.
+  [[nodiscard]] FacetOccurrence facet(CellId c, const CellPoints<D>& points, std::uint32_t k) const;
   /// Which facet of the neighbour across facet k it is. The gluing decides: the neighbour's id alone may
   /// stand at several facets.
   [[nodiscard]] std::uint32_t mirror_facet(CellId c, std::uint32_t k) const;
@@ -160,12 +162,16 @@ class QuotientComplex {
   /// neighbours yet. Errors: InternalError if it is flat.
   CellId add_cell(CellPoints<D> points, Predicates<D>& predicates);
   /// Makes the cells of equal facets neighbours. Errors: InternalError if a key does not occur exactly twice.
-  /// Complexity: O(n log n) for n facets, which are sorted.
-  void glue(std::vector<FacetOccurrence>& facets);
+  /// Complexity: O(n log n) for n facets.
+  void glue(const std::vector<FacetOccurrence>& facets);
 
   /// Fills an empty complex with cells given by lifts (one per H-orbit) as add_cell has them, and finds the
   /// adjacency by facet keys.
   void assemble(const std::vector<CellPoints<D>>& cells, Predicates<D>& predicates);
+
+  /// Takes over the cells of a complex of one orbit on a torus, where they are the same for each point.
+  /// Requires: this one has the vertex of one orbit and no cells; the same group and subgroup.
+  void assume_cells(const QuotientComplex& of_one_orbit);
 
   /// The base lifts of all cells.
   [[nodiscard]] std::vector<CellPoints<D>> all_cells() const;

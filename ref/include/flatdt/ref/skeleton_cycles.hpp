@@ -34,13 +34,21 @@ template <int D>
 std::vector<Element> cycle_translations(const GroupTable& table, const Subgroup& group,
                                         const std::vector<CellPoints<D>>& cells);
 
-/// Is some of the translations in the sublattice?
-bool contains_any(const Subgroup& sublattice, const std::vector<Element>& translations);
+/// Does E^d/S have a loop or a 2-cycle, S a sublattice that is invariant under the linear parts of `group`,
+/// modulo which the cells are given? Law: iff S contains one of the translations above. Complexity: O(n log
+/// n) for n cells.
+template <int D>
+bool has_short_cycle(const GroupTable& table, const Subgroup& group, const Subgroup& sublattice,
+                     const std::vector<CellPoints<D>>& cells);
 
 extern template std::optional<ShortCycle> find_short_cycle<2>(const GroupTable&,
                                                               const std::vector<CellPoints<2>>&);
 extern template std::optional<ShortCycle> find_short_cycle<3>(const GroupTable&,
                                                               const std::vector<CellPoints<3>>&);
+extern template bool has_short_cycle<2>(const GroupTable&, const Subgroup&, const Subgroup&,
+                                        const std::vector<CellPoints<2>>&);
+extern template bool has_short_cycle<3>(const GroupTable&, const Subgroup&, const Subgroup&,
+                                        const std::vector<CellPoints<3>>&);
 extern template std::vector<Element> cycle_translations<2>(const GroupTable&, const Subgroup&,
                                                            const std::vector<CellPoints<2>>&);
 extern template std::vector<Element> cycle_translations<3>(const GroupTable&, const Subgroup&,

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "flatdt/ref/quotient_complex.hpp"
+#include "star_filter.hpp"
 
 namespace flatdt::ref {
 
@@ -25,8 +26,19 @@ class FiniteStar {
  private:
   using Apexes = std::array<std::size_t, D>;  // candidate indices of the vertices other than q
 
+  [[nodiscard]] std::array<Lift, D + 1> lifts(const Apexes& apexes) const;
   [[nodiscard]] Sign orientation(const Apexes& apexes) const;
-  [[nodiscard]] std::array<Lift, D + 1> oriented(const Apexes& apexes, Sign& sign) const;
+  /// orientation() of many cells that differ in one apex.
+  [[nodiscard]] typename StarFilter<D>::Plane plane(const Apexes& apexes, std::size_t opposite) const;
+  [[nodiscard]] Sign orientation(const typename StarFilter<D>::Plane& plane, const Apexes& apexes,
+                                 std::size_t opposite) const;
+  /// A cell to test many candidates against.
+  struct Ball {
+    std::array<Lift, D + 1> lifts;  // positively oriented
+    typename StarFilter<D>::Sphere sphere;
+  };
+  [[nodiscard]] Ball ball(const Apexes& apexes) const;
+  [[nodiscard]] bool in_conflict(const Ball& ball, std::size_t candidate) const;
   [[nodiscard]] bool contains_ray(const Apexes& apexes) const;
   [[nodiscard]] Apexes first_cell();
   [[nodiscard]] Apexes wrap(const Apexes& apexes, std::size_t opposite);
@@ -34,6 +46,8 @@ class FiniteStar {
   Predicates<D>* predicates_;
   Lift q_;
   std::vector<Lift> candidates_;
+  StarFilter<D> filter_;
+  std::vector<typename StarFilter<D>::Offset> offsets_;  // by candidate
 };
 
 extern template class FiniteStar<2>;
