@@ -1,9 +1,11 @@
-// flatdt-check INSTANCE TRIANGULATION [--json]: reads two files, prints the verdict. With --serve: serve.hpp.
-// The exit code and the last line of standard output always say the same: 0 VERIFIED, 1 REFUTED, 2 MALFORMED,
-// 3 UNKNOWN; wrong usage, an unreadable file too, is 2 without a verdict.   Source: FORMAT.md, "Programs".
+// flatdt-check INSTANCE TRIANGULATION [--json] [--jobs N]: reads two files, prints the verdict. With --serve:
+// serve.hpp. The exit code and the last line of standard output always say the same: 0 VERIFIED, 1 REFUTED, 2
+// MALFORMED, 3 UNKNOWN; wrong usage, an unreadable file too, is 2 without a verdict.   Source: FORMAT.md,
+// "Programs".
 #include "command_line.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -13,6 +15,7 @@
 #include <new>
 #include <string>
 #include <system_error>
+#include <thread>
 
 #include "examples.hpp"
 #include "flatdt/checker/check.hpp"
@@ -26,6 +29,7 @@ namespace {
 
 constexpr int kUsage = 2;
 constexpr int kInternal = 3;
+constexpr unsigned kMostJobs = 256;
 
 int exit_code(Outcome outcome) {
   switch (outcome) {
@@ -99,12 +103,12 @@ Verdict judged(const Judging& judging) {
   return verdict;
 }
 
-Verdict judge(Input& instance_input, Input& triangulation_input) {
+Verdict judge(Input& instance_input, Input& triangulation_input, const Stages& stages) {
   return judged([&] {
     const Instance instance = parse_instance(instance_input.stream(), instance_input.name());
     const Triangulation triangulation =
         parse_triangulation(triangulation_input.stream(), triangulation_input.name(), instance);
-    return check(instance, triangulation);
+    return check(instance, triangulation, stages);
   });
 }
 
@@ -183,6 +187,9 @@ int parse_and_run(int argc, const char* const* argv) {
                                                   "with --serve: processor time for one check; 0: no limit")
                                        ->check(is_limit)
                                        ->capture_default_str();
+  Stages stages{.jobs = std::clamp(std::thread::hardware_concurrency(), 1U, kMostJobs)};
+  app.add_option("--jobs", stages.jobs, "threads for large files; default: one for each core; same output")
+      ->check(CLI::Range(1U, kMostJobs));
   app.add_flag_callback(
       "--version", [] { throw CLI::Success(); }, "print the version");
   try {
@@ -213,7 +220,7 @@ int parse_and_run(int argc, const char* const* argv) {
   const Verdict verdict = [&] {
     if (!format.empty()) return judge_import(instance, format);
     Input triangulation(triangulation_path);
-    return judge(instance, triangulation);
+    return judge(instance, triangulation, stages);
   }();
   if (!verdict.reason.empty()) complain(verdict.reason);
   if (!print(json ? json_report(verdict) : text_report(verdict))) {

@@ -1,5 +1,6 @@
 #include "flatdt/checker/check.hpp"
 
+#include <algorithm>
 #include <new>
 #include <utility>
 #include <variant>
@@ -100,9 +101,11 @@ void check_all(const Instance& instance, const Triangulation& triangulation, con
   const Orbits orbits = make_orbits(instance, table, stages.fixed_width);
   const Complex complex = make_complex(triangulation, elements, orbits, *subgroup, table);
   Geometry geometry(complex, orbits, table, instance.metric, stages);
-  const Faces faces = find_faces(complex);
-  Context context{instance, triangulation, *group,   *subgroup, orbits,
-                  complex,  table,         geometry, verdict,   faces};
+  constexpr std::size_t kFewCells = 10'000;  // not worth a thread
+  const unsigned jobs = complex.cells.size() < kFewCells ? 1 : std::max(1U, stages.jobs);
+  const Faces faces = find_faces(complex, jobs);
+  Context context{instance, triangulation, *group,  *subgroup, orbits, complex,
+                  table,    geometry,      verdict, faces,     jobs};
   check_vertices(context);
   check_cells(context);
   check_facets(context);

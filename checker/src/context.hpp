@@ -25,6 +25,7 @@ struct Context {
   Verdict& verdict;
 
   const Faces& faces;
+  unsigned jobs;
 
   std::vector<Sign> orientation = {};  ///< by CellId, of the normalised cells
 

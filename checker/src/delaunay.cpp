@@ -1,7 +1,10 @@
 // The condition delaunay.empty.   Source: DESIGN.md, section 6 (4); docs/soundness.md, section 4.
+#include <algorithm>
+
 #include "context.hpp"
 #include "flatdt/checker/errors.hpp"
 #include "linear.hpp"
+#include "ranges.hpp"
 
 namespace flatdt::checker {
 namespace {
@@ -24,22 +27,46 @@ Rational insphere_value(const Context& context, const std::vector<Vec<Rational>>
   return determinant(d, edges) < 0 ? Rational(-value) : value;
 }
 
+/// Whether the apex of the second occurrence is inside the ball of the first's cell, if the two are on
+/// opposite sides.
+bool is_violated(const Context& context, const FacetPair& pair, bool all_opposite) {
+  const auto& [a, b] = pair;
+  if (!all_opposite) {
+    const Sign side = side_of(context, a);
+    if (side == Sign::zero || side_of(context, b) != opposite(side)) return false;
+  }
+  const Complex& complex = context.complex;
+  const Cell& cell = complex.cells[index(a.cell)];
+  const Cell& other = complex.cells[index(b.cell)];
+  // Both cells are moved until the facet is its canonical list.
+  const Lift apex{other.vertex[b.facet], complex.offsets(other)[b.base][b.facet]};
+  const Sign orientation = orientation_in_frame(context, a.cell, a.base);
+  return context.geometry.insphere(cell, a.base, orientation, apex) == Sign::positive;
+}
+
+/// The first violated pair, or null.
+const FacetPair* first_violation(const Context& context) {
+  using enum ConditionName;
+  const bool all_opposite = context.has(cells_nondegenerate) && context.has(facets_opposite);
+  const std::vector<FacetPair>& pairs = context.faces.pairs;
+  std::vector<const FacetPair*> found(context.jobs);  // the first in each range
+  in_ranges(pairs.size(), context.jobs, [&](unsigned r, std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end && found[r] == nullptr; ++k) {
+      if (is_violated(context, pairs[k], all_opposite)) found[r] = &pairs[k];
+    }
+  });
+  const auto first =
+      std::find_if(found.begin(), found.end(), [](const FacetPair* p) { return p != nullptr; });
+  return first == found.end() ? nullptr : *first;
+}
+
 }  // namespace
 
 // Both apices of a facet are inside the other's ball or neither is, so one test for each facet is enough.
 void check_delaunay(const Context& context) {
   using enum ConditionName;
-  const Complex& complex = context.complex;
-  for (const auto& [a, b] : context.faces.pairs) {
-    const Sign side = side_of(context, a);
-    if (side == Sign::zero || side_of(context, b) != opposite(side)) continue;
-    const Cell& cell = complex.cells[index(a.cell)];
-    const Cell& other = complex.cells[index(b.cell)];
-    // Both cells are moved until the facet is its canonical list.
-    const Lift apex{other.vertex[b.facet], complex.offsets(other)[b.base][b.facet]};
-    const Sign inside =
-        context.geometry.insphere(cell, a.base, orientation_in_frame(context, a.cell, a.base), apex);
-    if (inside != Sign::positive) continue;
+  if (const FacetPair* violation = first_violation(context)) {
+    const auto& [a, b] = *violation;
     const ElementId gluing = file_gluing(context, a, b);
     const int d = context.group.dimension;
     const Vec<Rational> q =

@@ -80,16 +80,29 @@ struct Faces {
     std::size_t occurrences;
   };
   using Parallel = std::array<FaceKey, 2>;  ///< two different faces with the same vertices
+  /// A vertex whose link is no sphere; without meaning if a cell has a repeated vertex or a facet is odd.
+  struct BadLink {
+    VertexId vertex;
+    const char* reason;
+    std::size_t cells;
+    std::size_t vertices;
+  };
 
-  std::vector<Edge> edges;                          ///< distinct
-  std::vector<CellId> distinct_cells;               ///< the first cell of each distinct one
-  std::vector<FacetPair> pairs;                     ///< facets that occur exactly twice
-  std::optional<Odd> odd;                           ///< the first one that does not
-  std::array<std::size_t, 5> count{};               ///< distinct faces, by number of vertices, 2 to d+1
-  std::array<std::optional<Parallel>, 5> parallel;  ///< the first such faces, by number of vertices
+  std::vector<Edge> edges;       ///< distinct
+  std::vector<FacetPair> pairs;  ///< facets that occur exactly twice
+  std::optional<Odd> odd;        ///< the first one that does not
+  /// The cells that are listed earlier as well, in ascending order; complete unless a facet is odd.
+  /// Law: the two occurrences of a facet have the same apex in the frame of the list iff they are of one
+  /// cell.
+  std::vector<CellId> repeated_cells;
+  std::array<std::size_t, 5> count{};  ///< distinct faces, by number of vertices, 2 to d+1
+  std::array<std::optional<Parallel>, 4>
+      parallel;                     ///< the first such edges, in 3D such facets, by number of vertices
+  std::optional<BadLink> bad_link;  ///< the first one
 };
 
-/// Cost: O(n log m) for n cells, m the largest number of faces with one least vertex.
-[[nodiscard]] Faces find_faces(const Complex& complex);
+/// Cost: O(n log m) for n cells, m the largest number of faces at one vertex.
+/// `jobs`: threads; the faces are the same.
+[[nodiscard]] Faces find_faces(const Complex& complex, unsigned jobs = 1);
 
 }  // namespace flatdt::checker

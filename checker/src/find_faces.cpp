@@ -1,146 +1,188 @@
-// All faces of a complex, sorted by their lists.
-#include "faces.hpp"
-
+// All faces of a complex, star by star: a face is found in the star of the base vertex of its list.
+#include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
-#include "face_lists.hpp"
+#include "faces.hpp"
+#include "ranges.hpp"
+#include "star.hpp"
+
 namespace flatdt::checker {
 namespace {
 
-int parity_of(const Corners& corners, std::size_t size) {
+template <std::size_t N>
+int parity_of(const Corners& corners) {
   unsigned inversions = 0;
-  for (std::size_t i = 0; i < size; ++i) {
-    for (std::size_t j = i + 1; j < size; ++j) inversions += corners[i] > corners[j] ? 1 : 0;
+  for (std::size_t i = 0; i < N; ++i) {
+    for (std::size_t j = i + 1; j < N; ++j) inversions += corners[i] > corners[j] ? 1 : 0;
   }
   return inversions % 2 == 0 ? 1 : -1;
 }
 
-template <std::size_t N>
-Entry<N> make_entry(const Complex& complex, std::size_t c, const Corners& corners) {
-  const Cell& cell = complex.cells[c];
-  const std::array<ElementId, 4>& offset = complex.offsets(cell)[corners[0]];
-  std::array<std::uint32_t, 2 * N> numbers{};
-  for (std::size_t k = 0; k < N; ++k) {
-    numbers[k] = static_cast<std::uint32_t>(cell.vertex[corners[k + 1]]);
-    numbers[N + k] = static_cast<std::uint32_t>(offset[corners[k + 1]]);
-  }
-  Entry<N> entry{};
-  for (std::size_t k = 0; k < N; ++k) entry.word[k] = pair_key(numbers[2 * k], numbers[2 * k + 1]);
-  entry.where.cell = make_id<CellId>(c);
-  return entry;
-}
-
-template <std::size_t N>
-FaceKey key_of(std::size_t first, const Entry<N>& entry) {
-  FaceKey key;
-  key.vertex[0] = static_cast<std::uint32_t>(first);
-  for (std::size_t k = 0; k < N; ++k) {
-    key.vertex[k + 1] = entry.number(k);
-    key.offset[k] = entry.number(N + k);
-  }
-  return key;
-}
-
-/// Counts faces with N+1 vertices and notes the first parallel ones, as they come in the order of their
-/// lists.
-template <std::size_t N>
-class Census {
+class FaceFinder {
  public:
-  explicit Census(Faces& faces) : faces_(faces) {}
+  explicit FaceFinder(const Complex& complex) : complex_(complex), star_(complex) {}
 
-  void add(std::size_t v, const Entry<N>& entry) {
-    ++faces_.count[N + 1];
-    const bool parallel = last_ != nullptr && last_vertex_ == v && last_->same_vertices(entry);
-    if (parallel && !faces_.parallel[N + 1]) {
-      faces_.parallel[N + 1] = Faces::Parallel{key_of(v, *last_), key_of(v, entry)};
+  /// Adds the faces whose lists have v as their base vertex.   Requires: the corners at v; ascending v.
+  void add(VertexId v, const std::uint32_t* first, const std::uint32_t* last) {
+    star_.load(v, first, last);
+    add_edges(v);
+    add_facets(v);
+    if (!faces_.bad_link) {
+      if (const char* reason = link_defect(star_, complex_.corners, components_)) {
+        faces_.bad_link = {v, reason, distinct_cells(star_, complex_.corners), star_.lifts().size()};
+      }
     }
-    last_ = &entry;
-    last_vertex_ = v;
   }
+
+  [[nodiscard]] Faces faces() && { return std::move(faces_); }
 
  private:
-  Faces& faces_;
-  const Entry<N>* last_ = nullptr;
-  std::size_t last_vertex_ = 0;
+  /// A facet whose list is (v, identity), x, y; in 2D without y, which is x then.
+  struct Found {
+    std::uint64_t vertices;  // of x and y, then their offsets: the order of the lists
+    std::uint64_t offsets;
+    std::uint32_t x;  // number of the lift
+    std::uint32_t facet;
+  };
+
+  // An edge between different vertices is one lift in the star of the lesser one. A loop is two lifts in its
+  // vertex's star, of inverse offsets.
+  void add_edges(VertexId v) {
+    ends_.clear();
+    for (const Star::Lift& lift : star_.lifts()) {
+      if (lift.vertex > v) ends_.push_back(pair_key(lift.vertex, lift.offset));
+    }
+    for (const ElementId loop : star_.loops()) ends_.push_back(pair_key(v, loop));
+    std::sort(ends_.begin(), ends_.end());
+    ends_.erase(std::unique(ends_.begin(), ends_.end()), ends_.end());
+    for (std::size_t k = 0; k < ends_.size(); ++k) {
+      const Edge edge{static_cast<std::uint32_t>(v), static_cast<std::uint32_t>(ends_[k] >> 32),
+                      static_cast<std::uint32_t>(ends_[k])};
+      if (k > 0 && faces_.edges.back().high == edge.high && !faces_.parallel[2]) {
+        faces_.parallel[2] = Faces::Parallel{faces_.edges.back().key(), edge.key()};
+      }
+      faces_.edges.push_back(edge);
+    }
+  }
+
+  void add_facets(VertexId v) {
+    found_.clear();
+    const std::vector<Star::Lift>& lifts = star_.lifts();
+    for (std::uint32_t f = 0; f < star_.facets().size(); ++f) {
+      std::uint32_t x = star_.facets()[f].low;
+      std::uint32_t y = star_.facets()[f].high;
+      if (std::pair(lifts[y].vertex, lifts[y].offset) < std::pair(lifts[x].vertex, lifts[x].offset)) {
+        std::swap(x, y);
+      }
+      if (lifts[x].vertex < v || (lifts[x].vertex == v && !is_base(star_.facets()[f]))) continue;
+      found_.push_back(
+          {pair_key(lifts[x].vertex, lifts[y].vertex), pair_key(lifts[x].offset, lifts[y].offset), x, f});
+    }
+    std::sort(found_.begin(), found_.end(), [](const Found& a, const Found& b) {
+      return a.vertices != b.vertices ? a.vertices < b.vertices : a.offsets < b.offsets;
+    });
+    for (std::size_t k = 0; k < found_.size(); ++k) add_facet(v, k);
+  }
+
+  void add_facet(VertexId v, std::size_t k) {
+    const Found& found = found_[k];
+    if (complex_.corners == 4) {
+      ++faces_.count[3];
+      if (k > 0 && found_[k - 1].vertices == found.vertices && !faces_.parallel[3]) {
+        faces_.parallel[3] = Faces::Parallel{key_of(v, found_[k - 1]), key_of(v, found)};
+      }
+    }
+    const Star::Facet& facet = star_.facets()[found.facet];
+    FacetPair pair{occurrence(found, facet.first), occurrence(found, facet.second)};
+    if (pair.second.cell == pair.first.cell && pair.second.facet < pair.first.facet) {
+      std::swap(pair.first, pair.second);
+    }
+    if (facet.occurrences != 2) {
+      if (!faces_.odd) faces_.odd = Faces::Odd{pair.first, facet.occurrences};
+      return;
+    }
+    faces_.pairs.push_back(pair);
+    if (is_doubled(star_, facet)) faces_.repeated_cells.push_back(pair.second.cell);
+  }
+
+  /// Whether the star's vertex is the base of the facet's list, where several vertices have the same least
+  /// number.
+  [[nodiscard]] bool is_base(const Star::Facet& facet) const {
+    const Star::Simplex& simplex = star_.simplices()[facet.first.simplex];
+    const Occurrence o{make_id<CellId>(simplex.cell()), simplex.other(facet.first.k), 0, 0};
+    return facet_corners(complex_, o)[0] == simplex.base();
+  }
+
+  [[nodiscard]] Occurrence occurrence(const Found& found, const Star::Side& side) const {
+    const Star::Simplex& simplex = star_.simplices()[side.simplex];
+    const std::size_t n = complex_.corners;
+    const std::uint8_t facet = simplex.other(side.k);
+    Corners corners{simplex.base()};
+    std::size_t filled = 1;
+    for (std::size_t i = 0; i + 1 < n; ++i) {
+      if (i != side.k) corners[filled++] = simplex.other(i);
+    }
+    if (n == 4 && simplex.vertex[side.k == 0 ? 1 : 0] != found.x) std::swap(corners[1], corners[2]);
+    corners[n - 1] = facet;
+    return {make_id<CellId>(simplex.cell()), facet, simplex.base(),
+            static_cast<std::int8_t>(n == 4 ? parity_of<4>(corners) : parity_of<3>(corners))};
+  }
+
+  [[nodiscard]] static FaceKey key_of(VertexId v, const Found& found) {
+    const auto high = [](std::uint64_t word) { return static_cast<std::uint32_t>(word >> 32); };
+    const auto low = [](std::uint64_t word) { return static_cast<std::uint32_t>(word); };
+    return {{static_cast<std::uint32_t>(v), high(found.vertices), low(found.vertices), kNone},
+            {high(found.offsets), low(found.offsets), kNone}};
+  }
+
+  const Complex& complex_;
+  Star star_;
+  Faces faces_;
+  std::vector<std::uint64_t> ends_;
+  std::vector<Found> found_;
+  UnionFind components_{0};
 };
 
-template <std::size_t All>
-void find_edges(const Complex& complex, const std::vector<OrderCode>& codes, Faces& faces) {
-  struct End {
-    std::uint64_t key;
-    [[nodiscard]] bool operator<(const End& e) const { return key < e.key; }
-    [[nodiscard]] bool same_face(const End& e) const { return key == e.key; }
-  };
-  const auto make = [&](std::size_t c, const Corners& corners) {
-    const Cell& cell = complex.cells[c];
-    return End{pair_key(cell.vertex[corners[1]], complex.offsets(cell)[corners[0]][corners[1]])};
-  };
-  const auto ends = sorted_entries<End, All, 2>(complex, codes, false, make);
-  for_each_run(ends, [&](std::size_t v, const End* end, std::size_t) {
-    const Edge edge{static_cast<std::uint32_t>(v), static_cast<std::uint32_t>(end->key >> 32),
-                    static_cast<std::uint32_t>(end->key)};
-    if (!faces.parallel[2] && !faces.edges.empty() && faces.edges.back().low == edge.low &&
-        faces.edges.back().high == edge.high) {
-      faces.parallel[2] = Faces::Parallel{faces.edges.back().key(), edge.key()};
-    }
-    faces.edges.push_back(edge);
-  });
-  faces.count[2] = faces.edges.size();
+template <class T>
+void append(std::vector<T>& all, const std::vector<T>& more) {
+  all.insert(all.end(), more.begin(), more.end());
 }
 
-template <std::size_t N>
-void find_cells(const Complex& complex, const std::vector<OrderCode>& codes, Faces& faces) {
-  const auto make = [&](std::size_t c, const Corners& corners) { return make_entry<N>(complex, c, corners); };
-  const auto cells = sorted_entries<Entry<N>, N + 1, N + 1>(complex, codes, false, make);
-  Census<N> census(faces);
-  for_each_run(cells, [&](std::size_t v, const Entry<N>* cell, std::size_t) {
-    census.add(v, *cell);
-    faces.distinct_cells.push_back(cell->where.cell);
-  });
-}
-
-template <std::size_t N>
-void find_facets(const Complex& complex, const std::vector<OrderCode>& codes, Faces& faces) {
-  const auto make = [&](std::size_t c, const Corners& corners) {
-    Entry<N> entry = make_entry<N>(complex, c, corners);
-    Corners with_apex = corners;
-    std::size_t apex = (N + 1) * (N + 2) / 2;  // 0 + .. + (N + 1)
-    for (std::size_t k = 0; k <= N; ++k) apex -= corners[k];
-    with_apex[N + 1] = static_cast<std::uint8_t>(apex);
-    entry.where.facet = with_apex[N + 1];
-    entry.where.base = corners[0];
-    entry.where.parity = static_cast<std::int8_t>(parity_of(with_apex, N + 2));
-    return entry;
-  };
-  const auto facets = sorted_entries<Entry<N>, N + 2, N + 1>(complex, codes, true, make);
-  faces.pairs.reserve(facets.entries.size() / 2);
-  Census<N> census(faces);
-  for_each_run(facets, [&](std::size_t v, const Entry<N>* facet, std::size_t occurrences) {
-    if (N > 1) census.add(v, *facet);  // in the plane facets are edges
-    if (occurrences == 2) {
-      faces.pairs.push_back({facet[0].where, facet[1].where});
-    } else if (!faces.odd) {
-      faces.odd = Faces::Odd{facet->where, occurrences};
-    }
-  });
+/// Adds the faces of later vertices.
+void append(Faces& faces, const Faces& more) {
+  append(faces.edges, more.edges);
+  append(faces.pairs, more.pairs);
+  append(faces.repeated_cells, more.repeated_cells);
+  if (!faces.odd) faces.odd = more.odd;
+  if (!faces.bad_link) faces.bad_link = more.bad_link;
+  faces.count[3] += more.count[3];
+  for (std::size_t size = 2; size < faces.parallel.size(); ++size) {
+    if (!faces.parallel[size]) faces.parallel[size] = more.parallel[size];
+  }
 }
 
 }  // namespace
 
-Faces find_faces(const Complex& complex) {
-  Faces faces;
-  if (complex.corners == 3) {
-    const std::vector<OrderCode> codes = order_codes<3>(complex);
-    find_edges<3>(complex, codes, faces);
-    find_cells<2>(complex, codes, faces);
-    find_facets<1>(complex, codes, faces);
-  } else {
-    const std::vector<OrderCode> codes = order_codes<4>(complex);
-    find_edges<4>(complex, codes, faces);
-    find_cells<3>(complex, codes, faces);
-    find_facets<2>(complex, codes, faces);
-  }
+Faces find_faces(const Complex& complex, unsigned jobs) {
+  const CornerLists lists = list_corners(complex);
+  std::vector<Faces> parts(jobs);
+  in_ranges(complex.vertices.size(), jobs, [&](unsigned r, std::size_t begin, std::size_t end) {
+    FaceFinder finder(complex);
+    for (std::size_t v = begin; v < end; ++v) {
+      finder.add(make_id<VertexId>(v), lists.corner.data() + lists.start[v],
+                 lists.corner.data() + lists.start[v + 1]);
+    }
+    parts[r] = std::move(finder).faces();
+  });
+  Faces faces = std::move(parts.front());
+  for (std::size_t r = 1; r < parts.size(); ++r) append(faces, parts[r]);
+  std::vector<CellId>& repeated = faces.repeated_cells;
+  std::sort(repeated.begin(), repeated.end());
+  repeated.erase(std::unique(repeated.begin(), repeated.end()), repeated.end());
+  faces.count[2] = faces.edges.size();
+  faces.count[complex.corners] = complex.cells.size() - repeated.size();
   return faces;
 }
 

@@ -35,6 +35,7 @@ std::optional<FixedGeometry> FixedGeometry::make(const Complex& complex, const O
       if (!entry) return std::nullopt;
       geometry.gram_[i][j] = *entry;
       geometry.gram_double_[i][j] = static_cast<double>(*entry);
+      geometry.gram_magnitude_[i][j] = std::fabs(geometry.gram_double_[i][j]);
     }
   }
   std::int64_t most = 0;
@@ -99,7 +100,7 @@ std::optional<Sign> FixedGeometry::sign_by_doubles(const Rows& rows) const {
   double bound = 0;  // of all norms, then of all products
   for (std::size_t i = 0; i < D; ++i) {
     double image = 0;
-    for (std::size_t j = 0; j < D; ++j) image += std::fabs(gram_double_[i][j]) * most[j];
+    for (std::size_t j = 0; j < D; ++j) image += gram_magnitude_[i][j] * most[j];
     bound += image * most[i];
   }
   for (std::size_t i = 0; i < D; ++i) bound *= most[i];

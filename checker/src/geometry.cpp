@@ -177,6 +177,7 @@ Sign Geometry::orientation(const Cell& cell, VolumeSum& sum) {
       return sign_of(*det);
     }
   }
+  const std::lock_guard lock(mutex_);
   determinant(cell);
   sum.add(determinant_, power_);
   return sign_of(determinant_);
@@ -238,9 +239,10 @@ Sign Geometry::insphere(const Cell& cell, std::size_t frame, Sign orientation, c
   std::optional<Sign> sign;
   if (fixed_) {
     sign = fixed_->insphere(points, orientation, stages_.filter ? FixedStage::both : FixedStage::limbs);
-  } else if (stages_.filter) {
-    sign = insphere_balls(points, orientation);
+    if (sign) return *sign;
   }
+  const std::lock_guard lock(mutex_);
+  if (!fixed_ && stages_.filter) sign = insphere_balls(points, orientation);
   return sign ? *sign : insphere_exact(points, orientation);
 }
 

@@ -5,9 +5,11 @@
 // In the last stage all coordinates of one evaluation are integers over one common denominator; temporaries
 // are kept between calls (measured for such determinants: 1-2 us, against 27 us with mpq). The Gram matrix is
 // scaled to integers.
+// Threads: several may call orientation() and insphere() at once; on numbers of any size they take turns.
 #pragma once
 
 #include <array>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -78,6 +80,7 @@ class Geometry {
   std::vector<Vec<Ball>> translation_ball_;
   Mat<Ball> gram_ball_;
 
+  std::mutex mutex_;             // for what follows, and translation_ball_
   std::array<Point, 5> points_;  // kept temporaries
   std::array<Integer, 5> denominators_;
   Point x_;

@@ -36,22 +36,13 @@ using Chain = std::map<std::uint32_t, Integer>;  // over the remaining edges
 class FirstHomology {
  public:
   FirstHomology(std::size_t edges, std::vector<Triangle> triangles)
-      : triangles_(std::move(triangles)),
-        uses_(edges),
-        live_(triangles_.size(), true),
-        incident_(edges),
-        chain_(edges) {
+      : triangles_(std::move(triangles)), uses_(edges), live_(triangles_.size(), true), chain_(edges) {
     for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
       for (const Side& side : triangles_[t]) {
-        ++uses_[side.edge];
-        incident_[side.edge].push_back(t);
+        ++uses_[side.edge].count;
+        uses_[side.edge].triangles ^= t;
       }
     }
-  }
-
-  void drop(std::uint32_t t) {
-    live_[t] = false;
-    for (const Side& side : triangles_[t]) --uses_[side.edge];
   }
 
   /// The group, or nothing above the limits. `ends` of an edge are its vertices.
@@ -99,24 +90,34 @@ class FirstHomology {
     }
   }
 
+  /// The sides of live triangles that are an edge: their number, and the exclusive or of the numbers of their
+  /// triangles, which is the triangle itself if there is one side.
+  struct Uses {
+    std::uint32_t count = 0;
+    std::uint32_t triangles = 0;
+  };
+
   void remove(std::uint32_t t) {
-    drop(t);
+    live_[t] = false;
     for (const Side& side : triangles_[t]) {
-      if (uses_[side.edge] == 1) free_.push_back(side.edge);
+      --uses_[side.edge].count;
+      uses_[side.edge].triangles ^= t;
+    }
+    for (const Side& side : triangles_[t]) {
+      if (uses_[side.edge].count == 1) free_.push_back(side.edge);
     }
   }
 
   void collapse() {
     for (std::uint32_t e = 0; e < uses_.size(); ++e) {
-      if (uses_[e] == 1) free_.push_back(e);
+      if (uses_[e].count == 1) free_.push_back(e);
     }
     std::uint32_t next = 0;
     for (std::size_t head = 0;;) {
       if (head < free_.size()) {
         const std::uint32_t edge = free_[head++];
-        if (uses_[edge] != 1) continue;
-        const std::uint32_t t = *std::find_if(incident_[edge].begin(), incident_[edge].end(),
-                                              [&](std::uint32_t triangle) { return live_[triangle]; });
+        if (uses_[edge].count != 1) continue;
+        const std::uint32_t t = uses_[edge].triangles;
         collapses_.emplace_back(edge, t);
         remove(t);
         continue;
@@ -129,31 +130,70 @@ class FirstHomology {
   }
 
   std::vector<Triangle> triangles_;
-  std::vector<std::uint32_t> uses_;  // sides of live triangles, by edge
+  std::vector<Uses> uses_;  // by edge
   std::vector<bool> live_;
-  std::vector<std::vector<std::uint32_t>> incident_;
   std::vector<Chain> chain_;         // by edge, in terms of the generators
   std::vector<std::uint32_t> free_;  // queue of edges that may have one use
   std::vector<std::pair<std::uint32_t, std::uint32_t>> collapses_;
   std::vector<std::uint32_t> set_aside_;
 };
 
-/// The boundary (01) + (12) - (02) of a triangle of a cell, in terms of sorted edges.
-Triangle boundary(const Complex& complex, CellId c, const Corners& triangle, const std::vector<Edge>& edges) {
+/// The numbers of the edges, by their lists.
+class EdgeNumbers {
+ public:
+  EdgeNumbers(const std::vector<Edge>& edges, std::size_t vertices) : edges_(edges), end_(vertices) {
+    for (std::uint32_t e = 0; e < edges.size(); ++e) end_[edges[e].low] = e + 1;
+    for (std::size_t v = 1; v < vertices; ++v) end_[v] = std::max(end_[v], end_[v - 1]);
+  }
+  [[nodiscard]] std::uint32_t operator()(const Edge& edge) const {
+    const auto begin = edges_.begin() + (edge.low == 0 ? 0 : end_[edge.low - 1]);
+    const auto at = std::lower_bound(begin, edges_.begin() + end_[edge.low], edge);
+    return static_cast<std::uint32_t>(at - edges_.begin());
+  }
+
+ private:
+  const std::vector<Edge>& edges_;
+  std::vector<std::uint32_t> end_;  // by low vertex: after its last edge
+};
+
+/// The boundary (01) + (12) - (02) of a triangle of a cell.
+Triangle boundary(const Complex& complex, CellId c, const Corners& triangle, const EdgeNumbers& edges) {
   const Cell& cell = complex.cells[index(c)];
   const Offsets& offset = complex.offsets(cell);
   Triangle sides{};
   for (std::size_t s = 0; s < 3; ++s) {
     Corners ends{triangle[s], triangle[(s + 1) % 3]};
     make_canonical(cell, offset, ends, 2);
-    const Edge edge{static_cast<std::uint32_t>(cell.vertex[ends[0]]),
-                    static_cast<std::uint32_t>(cell.vertex[ends[1]]),
-                    static_cast<std::uint32_t>(offset[ends[0]][ends[1]])};
-    sides[s].edge =
-        static_cast<std::uint32_t>(std::lower_bound(edges.begin(), edges.end(), edge) - edges.begin());
+    sides[s].edge = edges({static_cast<std::uint32_t>(cell.vertex[ends[0]]),
+                           static_cast<std::uint32_t>(cell.vertex[ends[1]]),
+                           static_cast<std::uint32_t>(offset[ends[0]][ends[1]])});
     sides[s].sign = ends[0] == triangle[s] ? 1 : -1;
   }
   return sides;
+}
+
+/// The triangles whose boundaries generate all: in 3D those of the facets that are not in a spanning tree of
+/// the cells.
+std::vector<Triangle> generating_triangles(const Context& context) {
+  const Complex& complex = context.complex;
+  const EdgeNumbers edges(context.faces.edges, complex.vertices.size());
+  std::vector<Triangle> triangles;
+  if (complex.corners == 3) {
+    const std::vector<CellId>& repeated = context.faces.repeated_cells;
+    for (std::size_t c = 0; c < complex.cells.size(); ++c) {
+      if (std::binary_search(repeated.begin(), repeated.end(), make_id<CellId>(c))) continue;
+      Corners triangle{0, 1, 2};
+      make_canonical(complex.cells[c], complex.offsets(complex.cells[c]), triangle, 3);
+      triangles.push_back(boundary(complex, make_id<CellId>(c), triangle, edges));
+    }
+  } else {
+    UnionFind tree(complex.cells.size());
+    for (const auto& [a, b] : context.faces.pairs) {
+      if (tree.join(index(a.cell), index(b.cell))) continue;
+      triangles.push_back(boundary(complex, a.cell, facet_corners(complex, a), edges));
+    }
+  }
+  return triangles;
 }
 
 }  // namespace
@@ -163,26 +203,7 @@ void check_homology(const Context& context) {
   const Complex& complex = context.complex;
   if (!context.has(facets_paired) || complex.cells.size() > kMaxCells) return;
   const std::vector<Edge>& edges = context.faces.edges;
-  const std::vector<FacetPair>& pairs = context.faces.pairs;
-  std::vector<Triangle> triangles;  // 3D: one for each pair, in their order
-  if (complex.corners == 3) {
-    for (const CellId c : context.faces.distinct_cells) {
-      Corners triangle{0, 1, 2};
-      make_canonical(complex.cells[index(c)], complex.offsets(complex.cells[index(c)]), triangle, 3);
-      triangles.push_back(boundary(complex, c, triangle, edges));
-    }
-  } else {
-    for (const auto& [a, b] : pairs) {
-      triangles.push_back(boundary(complex, a.cell, facet_corners(complex, a), edges));
-    }
-  }
-  FirstHomology homology(edges.size(), std::move(triangles));
-  if (complex.corners == 4) {
-    UnionFind tree(complex.cells.size());
-    for (std::uint32_t t = 0; t < pairs.size(); ++t) {
-      if (tree.join(index(pairs[t].first.cell), index(pairs[t].second.cell))) homology.drop(t);
-    }
-  }
+  FirstHomology homology(edges.size(), generating_triangles(context));
   const std::optional<AbelianGroup> found = homology.compute(edges, complex.vertices.size());
   if (!found) return;
   const AbelianGroup expected = first_homology(context.subgroup.own());

@@ -93,21 +93,44 @@ void Lexer::expect(std::string_view word) {
   if (next() != word) fail("expected '" + std::string(word) + "', found " + found());
 }
 
-std::uint64_t Lexer::count(std::string_view what, std::uint64_t least, std::uint64_t most) {
-  const std::string_view digits = next();
-  bool valid = !digits.empty();
+/// The most frequent tokens: white space, at most 18 digits (a value below 10^18) and white space, all of it
+/// in the buffer. Anything else is left to next(), and nothing of it consumed.
+std::optional<std::uint64_t> Lexer::take_short_count() {
+  constexpr std::size_t kMostDigits = 18;
+  std::size_t begin = position_;
+  std::size_t lines = 0;
+  for (; begin < filled_ && is_space(buffer_[begin]); ++begin) lines += buffer_[begin] == '\n' ? 1 : 0;
+  const std::size_t last = std::min(filled_, begin + kMostDigits);
+  std::size_t end = begin;
   std::uint64_t value = 0;
-  for (const char c : digits) {
-    valid = valid && c >= '0' && c <= '9';
-    if (valid && value <= most)
-      value = 10 * value + static_cast<std::uint64_t>(c - '0');  // saturates above most
+  for (; end < last && buffer_[end] >= '0' && buffer_[end] <= '9'; ++end) {
+    value = 10 * value + static_cast<std::uint64_t>(buffer_[end] - '0');
   }
-  if (!valid) fail("expected " + std::string(what) + " ([0-9]+), found " + found());
-  if (value < least || value > most) {
+  if (end == begin || end == filled_ || !is_space(buffer_[end])) return std::nullopt;
+  token_ = {buffer_.data() + begin, end - begin};
+  token_line_ = line_ += lines;
+  position_ = end;
+  return value;
+}
+
+std::uint64_t Lexer::count(std::string_view what, std::uint64_t least, std::uint64_t most) {
+  std::optional<std::uint64_t> value = take_short_count();
+  if (!value) {
+    value = 0;
+    const std::string_view digits = next();
+    bool valid = !digits.empty();
+    for (const char c : digits) {
+      valid = valid && c >= '0' && c <= '9';
+      if (valid && *value <= most)
+        *value = 10 * *value + static_cast<std::uint64_t>(c - '0');  // saturates above most
+    }
+    if (!valid) fail("expected " + std::string(what) + " ([0-9]+), found " + found());
+  }
+  if (*value < least || *value > most) {
     fail(std::string(what) + " must be from " + std::to_string(least) + " to " + std::to_string(most) +
          ", found " + found());
   }
-  return value;
+  return *value;
 }
 
 Rational Lexer::number(std::string_view what) {

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <istream>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,6 +43,7 @@ class Lexer {
  private:
   bool refill(std::size_t keep);
   void skip_space();
+  std::optional<std::uint64_t> take_short_count();
 
   std::istream& in_;
   std::string file_;

@@ -3,6 +3,7 @@
 #include "context.hpp"
 
 namespace flatdt::checker {
+
 void check_simplices(const Context& context) {
   using enum ConditionName;
   const Complex& complex = context.complex;
@@ -59,7 +60,9 @@ void check_intersection(const Context& context) {
     context.fails(complex_intersection, {{"reason", "simplices.injective-fails"}});
     return;
   }
-  for (std::size_t size = 2; size <= context.complex.corners; ++size) {
+  // Cells have two edges with the same ends if they have the same vertices.   Source: docs/soundness.md,
+  // section 6.
+  for (std::size_t size = 2; size < context.complex.corners; ++size) {
     const std::optional<Faces::Parallel>& found = context.faces.parallel[size];
     if (!found) continue;
     context.fails(complex_intersection, {{"face", face_text(context, found->front())},

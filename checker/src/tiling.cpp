@@ -6,6 +6,7 @@
 #include "context.hpp"
 #include "flatdt/checker/errors.hpp"
 #include "linear.hpp"
+#include "ranges.hpp"
 
 namespace flatdt::checker {
 namespace {
@@ -83,13 +84,17 @@ void check_vertices(const Context& context) {
 void check_cells(Context& context) {
   using enum ConditionName;
   const std::size_t n = context.complex.cells.size();
-  VolumeSum sum = context.geometry.no_volume();
   context.orientation.resize(n);
-  std::size_t degenerate = n;
-  for (std::size_t c = 0; c < n; ++c) {
-    context.orientation[c] = context.geometry.orientation(context.complex.cells[c], sum);
-    if (context.orientation[c] == Sign::zero && degenerate == n) degenerate = c;
-  }
+  std::vector<VolumeSum> sums(context.jobs, context.geometry.no_volume());
+  in_ranges(n, context.jobs, [&](unsigned r, std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c) {
+      context.orientation[c] = context.geometry.orientation(context.complex.cells[c], sums[r]);
+    }
+  });
+  VolumeSum& sum = sums.front();
+  for (std::size_t r = 1; r < sums.size(); ++r) sum.add(sums[r]);
+  std::size_t degenerate = 0;
+  while (degenerate < n && context.orientation[degenerate] != Sign::zero) ++degenerate;
   if (degenerate == n) {
     context.holds(cells_nondegenerate, {{"cells", number_text(n)}});
   } else {

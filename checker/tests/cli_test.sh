@@ -62,6 +62,7 @@ awk 'BEGIN {
 
 cd "$dir" || exit 1
 expect 0 "s VERIFIED" "$check" good.instance good.triangulation
+expect 0 "s VERIFIED" "$check" good.instance good.triangulation --jobs 256
 expect 1 "s REFUTED" "$check" good.instance wrong.triangulation
 expect 2 "s MALFORMED" "$check" good.instance short.triangulation
 expect_stderr '^flatdt-check: short.triangulation:26: '
@@ -84,6 +85,7 @@ expect 2 "" "$check" good.instance
 expect 2 "" "$check" good.instance good.triangulation more
 expect 2 "" "$check" --unknown good.instance good.triangulation
 expect 2 "" "$check" - -
+for jobs in 0 257 -1 x; do expect 2 "" "$check" good.instance good.triangulation --jobs $jobs; done
 expect 2 "" "$check" missing good.triangulation
 expect_stderr 'missing'
 expect 2 "" "$check" good.instance missing

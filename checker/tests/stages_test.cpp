@@ -136,5 +136,33 @@ TEST(Stages, GiveTheSameVerdictOnAllCorpora) {
   EXPECT_GT(judged, 200);
 }
 
+// Enough cells for threads; what fails, fails in many places, of which each time the first is shown.
+TEST(Stages, GiveTheSameVerdictForAnyNumberOfThreads) {
+  constexpr int kSide = 75;
+  const TriangulationText right = grid_triangulation(kSide, kSide);
+  TriangulationText missing = right;
+  TriangulationText doubled = right;
+  for (const std::size_t c : {9'000U, 5'000U, 1'000U}) {
+    missing.cells.erase(missing.cells.begin() + c);
+    doubled.cells[c] = doubled.cells[c + 1];
+  }
+  const std::map<std::string, std::pair<const TriangulationText*, std::string>> cases = {
+      {"right", {&right, "1 0 1"}},
+      {"wrong metric", {&right, "2 1 2"}},
+      {"metric beyond fixed width", {&right, "2e30 1e-30 2e30"}},
+      {"missing cells", {&missing, "1 0 1"}},
+      {"doubled cells", {&doubled, "1 0 1"}}};
+  for (const auto& [name, parts] : cases) {
+    const Instance instance = read_instance(grid_instance(kSide, kSide, parts.second));
+    const Triangulation triangulation = read_triangulation(parts.first->str(), instance);
+    ASSERT_GE(triangulation.cells.size(), 10'000U);
+    const Verdict one = check(instance, triangulation);
+    EXPECT_EQ(one.outcome, name == "right" ? Outcome::verified : Outcome::refuted) << name;
+    for (const unsigned jobs : {2U, 3U, 8U}) {
+      EXPECT_EQ(text_of(check(instance, triangulation, {.jobs = jobs})), text_of(one)) << name << ' ' << jobs;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace flatdt::checker::test

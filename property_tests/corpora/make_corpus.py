@@ -19,6 +19,7 @@ from build import Drawing, cover, five, flips, grid, kronecker, kuhn, lift, mult
 from flatgeom import (CATALOGUE, F, Instance, T3, Triangulation, apply, compose, element, identity, inverse, manifold,
                       read_instance, read_triangulation, translation)
 from judge import CONDITIONS, Judge
+from large_numbers import apart, coprime, far, with_points
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "corpora")
 LOOP = "simplices.injective skeleton.no-loop skeleton.no-2-cycle complex.intersection"
@@ -1333,6 +1334,96 @@ def _2d_two_tori():
     sheet = kuhn_tri(i, (4, 3))
     sheet.tri.cells += [[(1, g) for _, g in c] for c in sheet.tri.cells]
     return i, sheet.tri
+
+
+# ================================================================ numbers beyond 64 bits
+# Every geometric condition alone once more, in numbers for which a checker's fast arithmetic is too narrow.
+
+
+def klein_squares(columns, rows, cells, points=None):
+    """The Klein bottle of columns x rows unit squares with the given cells, on all their corners."""
+    points = points or [(F(x), F(y)) for x, y in grid(columns, rows)]
+    generators = [f"1 0 {columns} 0 1 0", f"-1 0 0 0 1 {rows}"]
+    return finish(Instance(2, points, "klein-bottle", generators), cells)
+
+
+def klein_closed_t_junction():
+    drop = [{(0, 0), (1, 0), (1, 1)}, {(1, 0), (1, 1), (2, 1)}, {(1, 0), (2, 0), (2, 1)}]
+    cells = [c for corner in grid(5, 5) for c in kuhn(corner) if set(c) not in drop]
+    cells += [[(0, 0), (2, 0), (1, 1)], [(2, 0), (2, 1), (1, 1)], [(0, 0), (1, 0), (2, 0)]]
+    return klein_squares(5, 5, cells)
+
+
+def klein_annulus_pillow():
+    points, half, whole, _ = annulus()
+    i, t = klein_squares(4, 2, [c for x in range(4) for c in half(x) + whole(x)], points)
+    return i, shuffled(i, t, 5)
+
+
+def one_moved(instance, tri, k):
+    """The k-th point moved by 2^-60 along every axis: out of the ball of one neighbouring cube, into that of another."""
+    points = list(instance.points)
+    points[k] = tuple(v + F(1, 2 ** 60) for v in points[k])
+    return with_points(instance, points), tri
+
+
+def klein_point_moved():
+    return one_moved(*klein_squares(4, 4, [c for corner in grid(4, 4) for c in kuhn(corner)]), 5)
+
+
+def dicosm_point_moved():
+    """Cubes of edge 1 between two planes that a screw exchanges; it keeps the diagonals of their squares."""
+    points = [(F(x), F(y), F(z)) for x, y, z in grid(4, 4, 4)]
+    generators = ["1 0 0 4 0 1 0 0 0 0 1 0", "1 0 0 0 0 1 0 4 0 0 1 0", "-1 0 0 0 0 -1 0 0 0 0 1 4"]
+    cells = [c for corner in grid(4, 4, 4) for c in kuhn(corner)]
+    return one_moved(*finish(Instance(3, points, "dicosm", generators), cells), 21)
+
+
+def in_large_numbers(folder, name, note, fails, make, change=None):
+    def wrapped():
+        return change(*make()) if change else make()
+    wrapped.__name__ = name + (f"-{change.__name__}" if change else "")
+    wrapped.__doc__ = note + {None: "", far: " All points moved by one vector with denominator 3^50.",
+                              apart: " Every coordinate moved by less than 10^-24, to a large denominator of its own.",
+                              coprime: " Every coordinate moved by less than 2^-33, to one of two denominators of 34 bits."}[change]
+    entries[f"{folder}/{wrapped.__name__}"] = wrapped, fails.split()
+
+
+def with_missing_point(base, point):
+    i, t = base()
+    return more_points(i, point), t
+
+
+for _folder, _name, _change in [
+    (V, "2d-missing-point", apart), (V, "2d-missing-point", coprime), (V, "klein-missing-point-others-twice", far),
+    (V, "3d-sublattice", far),
+    (CN, "2d-closed-t-junction", far), (CN, "3d-slivers", far), (FO, "2d-annulus-pillow", far), (FO, "3d-slab-pillow", far),
+    (VE, "2d-double-cover", apart), (VE, "klein-triple-cover", apart), (VE, "3d-double-cover", apart),
+    (DE, "2d-flip", apart), (DE, "klein-flip", apart), (DE, "klein-flip", coprime), (DE, "3d-flip-2-3", apart),
+    (DE, "amphidicosm-flip-2-3", apart), (DE, "2d-point-moved", far), (DE, "2d-close-points", far), (DE, "3d-point-moved", far),
+]:
+    _make, _fails = entries[f"{_folder}/{_name}"]
+    in_large_numbers(_folder, _name, _make.__doc__, " ".join(_fails), _make, _change)
+for _folder, _name, _note, _fails, *_rest in [
+    (V, "tetracosm-missing-point", "A missing point in the tetracosm (mirror image).", V,
+     lambda: with_missing_point(G4_45, "1/2 1/3 1/31"), apart),
+    (V, "amphicosm-missing-point-others-twice", "A missing point beside points that are given twice, in the second amphicosm.",
+     V, lambda: with_missing_point(lambda: duplicated(*B2_45(), 2), "1/2 1/3 1/31"), far),
+    (CN, "klein-closed-t-junction", "A T-junction closed by a flat triangle in the Klein bottle.", CN,
+     klein_closed_t_junction, far),
+    (FO, "klein-annulus-pillow", "An annulus pillow, a torus folded into the Klein bottle, drawn by other lifts.",
+     f"{FO} {TO} {TH}", klein_annulus_pillow, far),
+    (DE, "klein-point-moved", "Squares of a Klein bottle of which one corner was moved by 2^-60.", DE, klein_point_moved, far),
+    (DE, "dicosm-point-moved", "Cubes of a dicosm of which one corner was moved by 2^-60.", DE, dicosm_point_moved, far),
+    (DE, "2d-metric-of-large-numbers", "Unit squares cut along the longer diagonals, in a metric of 100 bits.", DE,
+     lambda: (torus(metric=f"{2 * 10 ** 30 + 1} {10 ** 30 + 7} {2 * 10 ** 30 + 3}"), kuhn_tri(torus(), (4, 4)).tri)),
+    (DE, "3d-metric-of-large-numbers", "The Kuhn triangulation in a metric of 100 bits for which it is not Delaunay.", DE,
+     lambda: (torus3(metric=" ".join(str(k * 10 ** 30 + a) for k, a in ((3, 1), (1, 3), (1, 7), (3, 11), (1, 13), (3, 17)))),
+              kuhn_tri(torus3(), (3, 3, 3)).tri)),
+    (DE, "3d-metric-nearly-cubic", "A metric off the cubic one by 10^-40, against the diagonals of the squares in one direction.",
+     DE, lambda: (torus3(metric="1 1e-40 0 1 0 1"), kuhn_tri(torus3(), (3, 3, 3)).tri)),
+]:
+    in_large_numbers(_folder, _name, _note, _fails, *_rest)
 
 
 def main():

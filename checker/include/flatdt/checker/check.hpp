@@ -6,11 +6,12 @@
 
 namespace flatdt::checker {
 
-/// The stages of exact arithmetic that may be used where they apply. The verdict, with all witnesses, is the
-/// same for every choice; tests force each.
+/// The stages of exact arithmetic that may be used where they apply, and threads. The verdict, with all
+/// witnesses, is the same for every choice; tests force each.
 struct Stages {
   bool filter = true;       ///< floating point with certified bounds
   bool fixed_width = true;  ///< machine integers, where all numbers of the input fit
+  unsigned jobs = 1;        ///< threads at a time, from 10,000 cells on; at least 1
 };
 
 /// Judges whether `triangulation` is a Delaunay triangulation of the points of `instance` in E^d/H.
