@@ -62,7 +62,10 @@ class Vertices {
 class Shapes {
  public:
   Shapes(ElementTable& table, Complex& complex)
-      : table_(table), shapes_(complex.shapes), reversing_(complex.reversing) {}
+      : table_(table),
+        shapes_(complex.shapes),
+        reversing_(complex.reversing),
+        has_reversing_(complex.has_reversing) {}
 
   std::uint32_t number(const std::array<ElementId, 4>& first, std::size_t corners) {
     if (!shapes_.empty() && first == shapes_.front()[0]) return 0;
@@ -89,11 +92,13 @@ class Shapes {
       if (table_.group().reversing[table_[first[j]].rotation]) reversing |= 1U << j;
     }
     reversing_.push_back(static_cast<std::uint8_t>(reversing));
+    has_reversing_ = has_reversing_ || reversing != 0;
   }
 
   ElementTable& table_;
   std::vector<Offsets>& shapes_;
   std::vector<std::uint8_t>& reversing_;
+  bool& has_reversing_;
   IdMap pairs_;
   IdMap triples_;
   std::size_t pair_count_ = 0;

@@ -39,11 +39,12 @@ struct Complex {
   std::vector<Cell> cells;
   std::vector<Offsets> shapes;
   std::vector<std::uint8_t> reversing;  ///< by shape: bit j is set iff offset[0][j] reverses orientation
+  bool has_reversing = false;           ///< whether some bit is set
 
   [[nodiscard]] const Offsets& offsets(const Cell& cell) const { return shapes[cell.shape]; }
   /// Whether moving the normalised cell into the frame of a corner reverses its orientation.
   [[nodiscard]] bool reverses(const Cell& cell, std::size_t corner) const {
-    return (reversing[cell.shape] >> corner & 1U) != 0;
+    return has_reversing && (reversing[cell.shape] >> corner & 1U) != 0;
   }
 };
 

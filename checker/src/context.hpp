@@ -50,6 +50,15 @@ void check_links(const Context& context);         // links.spheres
 void check_topology(const Context& context);      // topology.connected, topology.euler, topology.orientable
 void check_homology(const Context& context);      // topology.homology
 
+/// Fetches the cells of the pair some places after the k-th: they lie apart, and are waited for otherwise.
+inline void fetch_ahead(const Context& context, std::size_t k) {
+  constexpr std::size_t kAhead = 8;
+  if (k + kAhead >= context.faces.pairs.size()) return;
+  const FacetPair& pair = context.faces.pairs[k + kAhead];
+  __builtin_prefetch(&context.complex.cells[index(pair.first.cell)]);
+  __builtin_prefetch(&context.complex.cells[index(pair.second.cell)]);
+}
+
 /// The orientation of a cell moved by H until its corner `base` is a base lift.
 [[nodiscard]] Sign orientation_in_frame(const Context& context, CellId cell, std::size_t base);
 

@@ -52,6 +52,7 @@ const FacetPair* first_violation(const Context& context) {
   std::vector<const FacetPair*> found(context.jobs);  // the first in each range
   in_ranges(pairs.size(), context.jobs, [&](unsigned r, std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end && found[r] == nullptr; ++k) {
+      fetch_ahead(context, k);
       if (is_violated(context, pairs[k], all_opposite)) found[r] = &pairs[k];
     }
   });

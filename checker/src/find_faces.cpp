@@ -22,7 +22,10 @@ int parity_of(const Corners& corners) {
 
 class FaceFinder {
  public:
-  explicit FaceFinder(const Complex& complex) : complex_(complex), star_(complex) {}
+  /// `corners`: how many there will be.
+  FaceFinder(const Complex& complex, std::size_t corners) : complex_(complex), star_(complex) {
+    faces_.pairs.reserve(corners / 2);  // if all facets are paired
+  }
 
   /// Adds the faces whose lists have v as their base vertex.   Requires: the corners at v; ascending v.
   void add(VertexId v, const std::uint32_t* first, const std::uint32_t* last) {
@@ -169,7 +172,7 @@ Faces find_faces(const Complex& complex, unsigned jobs) {
   const CornerLists lists = list_corners(complex);
   std::vector<Faces> parts(jobs);
   in_ranges(complex.vertices.size(), jobs, [&](unsigned r, std::size_t begin, std::size_t end) {
-    FaceFinder finder(complex);
+    FaceFinder finder(complex, lists.start[end] - lists.start[begin]);
     for (std::size_t v = begin; v < end; ++v) {
       finder.add(make_id<VertexId>(v), lists.corner.data() + lists.start[v],
                  lists.corner.data() + lists.start[v + 1]);

@@ -21,39 +21,44 @@ CornerLists list_corners(const Complex& complex) {
   return lists;
 }
 
+namespace {
+
 /// The side opposite to the k-th vertex: the lesser and the greater of its ends.
-inline std::pair<std::uint32_t, std::uint32_t> Star::ends(const Simplex& simplex, std::size_t k) const {
-  if (sides_of_simplex_ == 2) return {simplex.vertex[1 - k], simplex.vertex[1 - k]};
+template <std::size_t D>
+std::pair<std::uint32_t, std::uint32_t> ends(const Star::Simplex& simplex, std::size_t k) {
+  if constexpr (D == 2) return {simplex.vertex[1 - k], simplex.vertex[1 - k]};
   const std::uint32_t a = simplex.vertex[k == 0 ? 1 : 0];
   const std::uint32_t b = simplex.vertex[k == 2 ? 1 : 2];
   return {std::min(a, b), std::max(a, b)};
 }
+
+}  // namespace
 
 /// Few vertices modulo H have two lifts in one star.
 inline std::uint32_t Star::number(VertexId star, const Lift& lift) {
   const auto next = static_cast<std::uint32_t>(lifts_.size());
   Seen& seen = seen_[index(lift.vertex)];
   if (seen.star != static_cast<std::uint32_t>(star)) {
-    seen = {static_cast<std::uint32_t>(star), lift.offset, next};
-  } else if (seen.offset == lift.offset) {
+    seen = {static_cast<std::uint32_t>(star), next};
+  } else if (lifts_[seen.number].offset == lift.offset) {
     return seen.number;
   } else if (const std::uint32_t known = others_.insert(pair_key(lift.vertex, lift.offset), next);
              known != next) {
     return known;
   }
   lifts_.push_back(lift);
-  start_.push_back(0);
   return next;
 }
 
-inline void Star::add(VertexId vertex, std::uint32_t corner) {
+template <std::size_t D>
+void Star::add(VertexId vertex, std::uint32_t corner) {
   const Cell& cell = complex_.cells[corner >> 2];
   const Offsets& offsets = complex_.offsets(cell);
   const std::size_t base = corner & 3U;
   Simplex simplex{corner, {}};
   bool repeated = false;
   std::size_t k = 0;
-  for (std::size_t j = 0; j < complex_.corners; ++j) {
+  for (std::size_t j = 0; j <= D; ++j) {
     if (j == base) continue;
     const Lift lift{cell.vertex[j], offsets[base][j]};
     if (lift.vertex == vertex) {
@@ -65,57 +70,52 @@ inline void Star::add(VertexId vertex, std::uint32_t corner) {
     for (std::size_t i = 0; i < k; ++i) repeated = repeated || simplex.vertex[i] == n;
     simplex.vertex[k++] = n;
   }
-  if (repeated) return;
-  simplices_.push_back(simplex);
-  for (k = 0; k < sides_of_simplex_; ++k) ++start_[ends(simplex, k).first];
+  if (!repeated) simplices_.push_back(simplex);
 }
 
-void Star::load(VertexId vertex, const std::uint32_t* first, const std::uint32_t* last) {
+template <std::size_t D>
+void Star::match_sides() {
+  facets_.clear();
+  large_.clear();
+  const bool small = lifts_.size() <= kSmall;
+  for (std::uint32_t t = 0; t < simplices_.size(); ++t) {
+    for (std::uint32_t k = 0; k < D; ++k) {
+      const auto [low, high] = ends<D>(simplices_[t], k);
+      const auto next = static_cast<std::uint32_t>(facets_.size());
+      std::uint32_t number = next;
+      if (!small) {
+        number = large_.insert(pair_key(low, high), next);
+      } else if (const std::uint32_t known = small_[kSmall * low + high];  // or what an earlier star left
+                 known < next && facets_[known].low == low && facets_[known].high == high) {
+        number = known;
+      } else {
+        small_[kSmall * low + high] = static_cast<std::uint16_t>(next);
+      }
+      if (number == next) {
+        facets_.push_back({low, high, {t, k}, {t, k}, 1});
+      } else if (++facets_[number].occurrences == 2) {
+        facets_[number].second = {t, k};
+      }
+    }
+  }
+}
+
+template <std::size_t D>
+void Star::load_in(VertexId vertex, const std::uint32_t* first, const std::uint32_t* last) {
   others_.clear();
   lifts_.clear();
   loops_.clear();
   simplices_.clear();
-  start_.clear();
-  constexpr std::ptrdiff_t kAhead =
-      8;  // the cells at a vertex lie far apart: each is fetched before its turn
+  constexpr std::ptrdiff_t kAhead = 8;  // the cells at a vertex lie apart: each is fetched before its turn
   for (; first != last; ++first) {
     if (last - first > kAhead) __builtin_prefetch(&complex_.cells[first[kAhead] >> 2]);
-    add(vertex, *first);
+    add<D>(vertex, *first);
   }
-  sort_sides();
-  match_sides();
+  match_sides<D>();
 }
 
-/// By their low ends, in a counting sort that keeps the order of the simplices.
-void Star::sort_sides() {
-  std::uint32_t end = 0;
-  for (std::uint32_t& s : start_) end = s += end;  // now the ends
-  start_.push_back(end);
-  sides_.resize(end);
-  for (std::size_t t = simplices_.size(); t-- > 0;) {
-    for (std::size_t k = sides_of_simplex_; k-- > 0;) {
-      const auto [low, high] = ends(simplices_[t], k);
-      sides_[--start_[low]] = {high, {static_cast<std::uint32_t>(t), static_cast<std::uint32_t>(k)}};
-    }
-  }
-}
-
-void Star::match_sides() {
-  facets_.clear();
-  latest_.assign(lifts_.size(), 0);
-  for (std::uint32_t low = 0; low < lifts_.size(); ++low) {
-    const std::size_t mine = facets_.size();  // the facets with this low end start here
-    for (std::uint32_t i = start_[low]; i < start_[low + 1]; ++i) {
-      const auto& [high, side] = sides_[i];
-      std::uint32_t& latest = latest_[high];
-      if (latest < mine || latest >= facets_.size() || facets_[latest].high != high) {
-        latest = static_cast<std::uint32_t>(facets_.size());
-        facets_.push_back({low, high, side, side, 1});
-      } else if (++facets_[latest].occurrences == 2) {
-        facets_[latest].second = side;
-      }
-    }
-  }
+void Star::load(VertexId vertex, const std::uint32_t* first, const std::uint32_t* last) {
+  complex_.corners == 3 ? load_in<2>(vertex, first, last) : load_in<3>(vertex, first, last);
 }
 
 }  // namespace flatdt::checker

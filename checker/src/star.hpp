@@ -59,8 +59,7 @@ class Star {
     std::uint32_t occurrences;
   };
 
-  explicit Star(const Complex& complex)
-      : complex_(complex), sides_of_simplex_(complex.corners - 1), seen_(complex.vertices.size()) {}
+  explicit Star(const Complex& complex) : complex_(complex), seen_(complex.vertices.size()) {}
 
   /// Requires: the corners at `vertex`; no earlier call had this vertex.
   /// Cost: expected linear in the corners.
@@ -79,31 +78,28 @@ class Star {
   /// The first lift of a vertex modulo H that is seen in a star.
   struct Seen {
     std::uint32_t star = 0xFFFFFFFF;  // whose vertex
-    ElementId offset{};
     std::uint32_t number = 0;
   };
-  struct SortedSide {
-    std::uint32_t high;
-    Side side;
-  };
+  /// Stars with so many lifts have their facets in a table; these are fewer than 2^16.
+  static constexpr std::size_t kSmall = 64;
 
-  [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> ends(const Simplex& simplex, std::size_t k) const;
   std::uint32_t number(VertexId star, const Lift& lift);
+  template <std::size_t D>
+  void load_in(VertexId vertex, const std::uint32_t* first, const std::uint32_t* last);
+  template <std::size_t D>
   void add(VertexId vertex, std::uint32_t corner);
-  void sort_sides();
+  template <std::size_t D>
   void match_sides();
 
   const Complex& complex_;
-  std::size_t sides_of_simplex_;
   std::vector<Seen> seen_;  // by VertexId
   IdMap others_;            // the lifts that are not in seen_
   std::vector<Lift> lifts_;
   std::vector<ElementId> loops_;
   std::vector<Simplex> simplices_;
-  std::vector<std::uint32_t> start_;  // by low end, in sides_
-  std::vector<SortedSide> sides_;
-  std::vector<std::uint32_t> latest_;  // by high end: the last facet with it
   std::vector<Facet> facets_;
+  std::array<std::uint16_t, kSmall * kSmall> small_{};  // by ends: the number of the last facet with them
+  IdMap large_;                                         // the same for larger stars
 };
 
 /// Whether the two cells at a facet are one, which is listed twice: their apexes are one lift.
