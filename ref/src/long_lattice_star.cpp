@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "approximate_sphere.hpp"
 #include "fixed_sphere.hpp"
 #include "flatdt/ref/first_orbit.hpp"
 #include "flatdt/ref/orbit_position.hpp"
@@ -92,50 +93,20 @@ OrbitPoint LongLatticeStar<D>::vertex_near(const std::array<double, 3>& x) const
 }
 
 /// A vertex nearest to the centre of the cell, as far as doubles can tell.
-/// The power of w, as in FixedSphere, is c.x - beta |x|^2 with x = w - p_0. Every step of the walk makes it
-/// grow and beta is positive, so the walk stays in a bounded set and ends. Where the doubles are no good it
-/// ends too soon, or does not begin.
+/// Every step of the walk makes the power grow, which has a maximum, so the walk stays in a bounded set and
+/// ends. Where the doubles are no good it ends too soon, or does not begin.
 template <int D>
 OrbitPoint LongLatticeStar<D>::about_nearest(const std::array<Lift, D + 1>& cell) {
-  const Filter<D>& filter = setting_.predicates->filter();
-  const auto& origin = cell[0].x;
-  std::array<std::array<double, D>, D> b;
-  std::array<double, D> q;
-  for (std::size_t k = 0; k < D; ++k) {
-    for (std::size_t i = 0; i < D; ++i) b[k][i] = cell[k + 1].x[i] - origin[i];
-    q[k] = filter.approximate_squared_distance(cell[k + 1].x, origin);
-  }
-  std::array<double, D> c{};
-  double beta = 0;
-  if constexpr (D == 2) {
-    c = {b[1][1] * q[0] - b[0][1] * q[1], b[0][0] * q[1] - b[1][0] * q[0]};
-    beta = b[0][0] * b[1][1] - b[0][1] * b[1][0];
-  } else {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto &u = b[(k + 1) % 3], &v = b[(k + 2) % 3];
-      const std::array<double, 3> product{u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
-                                          u[0] * v[1] - u[1] * v[0]};
-      for (std::size_t i = 0; i < 3; ++i) c[i] += q[k] * product[i];
-      beta += b[k][0] * product[0] / 3 + b[k][1] * product[1] / 3 + b[k][2] * product[2] / 3;
-    }
-  }
-  const auto power = [&](const OrbitPoint& p) {
-    const std::array<double, 3> x = complex_->coordinates(p);
-    double value = -beta * filter.approximate_squared_distance(x, origin);
-    for (std::size_t i = 0; i < D; ++i) value += c[i] * (x[i] - origin[i]);
-    return value;
-  };
-  // c = 2 beta G x at the centre.
-  std::array<double, 3> centre = origin;
-  const auto offset = filter.raised(c);
-  for (std::size_t i = 0; i < D; ++i) centre[i] += offset[i] / (2 * beta);
-  OrbitPoint nearest = vertex_near(centre);
-  if (!(beta > 0)) return nearest;
-  double best = power(nearest);
+  std::array<std::array<double, 3>, D + 1> corners;
+  for (std::size_t k = 0; k <= D; ++k) corners[k] = cell[k].x;
+  const ApproximateSphere<D> sphere(setting_.predicates->filter(), corners);
+  OrbitPoint nearest = vertex_near(sphere.centre());
+  if (!sphere.has_centre()) return nearest;
+  double best = sphere.power(complex_->coordinates(nearest));
   for (bool nearer = true; nearer;) {
     nearer = false;
     visit_neighbours(OrbitPoint(nearest), [&](const OrbitPoint& p) {
-      const double other = power(p);
+      const double other = sphere.power(complex_->coordinates(p));
       if (best < other) {
         nearest = p;
         best = other;
