@@ -22,6 +22,7 @@ _flatdt() {
         --metric) words="canonical random" ;;
         --engine) words="without-covers covering" ;;
         --sheets) words="smallest theorem10" ;;
+        --format) words="svg vtu html" ;;
         --coincident) words="refuse merge" ;;
         --altloc) words="first all" ;;
         --points | --seed | --order | --max-sheets) return ;;
