@@ -118,10 +118,6 @@ int parse_and_run(int argc, const char* const* argv) {
   DrawOptions draw;
   command = app.add_subcommand(
       "draw", "Draw a triangulation, right or wrong: 2D as SVG, 3D as VTU (ParaView) or HTML (WebGL)");
-  command->footer(
-      "Example: flatdt-check --json k.instance k.triangulation > k.json\n"
-      "         flatdt draw k.instance k.triangulation --verdict k.json -o k.svg\n"
-      "         flatdt draw d.instance d.triangulation --verdict d.json -o d.html");
   command->add_option("instance", draw.instance, "Instance file, - for standard input")->required();
   command->add_option("triangulation", draw.triangulation, "Triangulation file, - for standard input")
       ->required();

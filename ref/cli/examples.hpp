@@ -47,7 +47,10 @@ inline constexpr std::array<Examples, 7> kExamples = {{
     {"draw",
      "Examples:\n"
      "  flatdt draw k.instance k.triangulation -o k.svg\n"
-     "  flatdt draw k.instance k.triangulation --two-cycle -o loop.svg\n"},
+     "  flatdt draw k.instance k.triangulation --two-cycle -o loop.svg\n"
+     "  flatdt draw d.instance d.triangulation -o d.html\n"
+     "  flatdt-check --json k.instance k.triangulation > k.json;\n"
+     "    flatdt draw k.instance k.triangulation --verdict k.json -o verdict.svg\n"},
 }};
 
 }  // namespace flatdt::ref::cli
