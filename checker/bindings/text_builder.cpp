@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <string_view>
+#include <system_error>
 
 namespace flatdt::checker {
 namespace {
@@ -50,12 +51,14 @@ void write(std::string& text, const char* keyword, const Section& section) {
   text += section.lines;
 }
 
-/// C's %a, which loses nothing and which the formats read.
+/// Hexadecimal digits, which lose nothing; not by printf, whose point is the locale's.
 std::string hexadecimal(double x) {
   if (!std::isfinite(x)) throw RefusedPiece("a coordinate that is not finite");
   std::array<char, 40> digits{};
-  const int length = std::snprintf(digits.data(), digits.size(), "%a", x);
-  return {digits.data(), static_cast<std::size_t>(length)};
+  const auto [end, error] =
+      std::to_chars(digits.data(), digits.data() + digits.size(), std::fabs(x), std::chars_format::hex);
+  if (error != std::errc{}) throw RefusedPiece("a coordinate that has no digits");  // 40 hold every double
+  return (std::signbit(x) ? "-0x" : "0x") + std::string(digits.data(), end);
 }
 
 }  // namespace

@@ -79,7 +79,8 @@ class Service {
       if (line_.empty() && in_step_) continue;
       // After a malformed request the lines up to the next header are taken for its texts.
       if (!is_request && !in_step_) continue;
-      in_step_ = is_request && answer_request();
+      if (is_request || in_step_) cut_short_ = ended_;
+      in_step_ = is_request && answer_request() && !cut_short_;
       if (!is_request) complain("", kHeaderForm);
       if (failed_) return kCannotWrite;
       if (cut_short_) return kCutShort;
@@ -96,6 +97,7 @@ class Service {
     if (byte == std::istream::traits_type::eof()) return false;
     for (; byte != '\n' && byte != std::istream::traits_type::eof(); byte = in_.get())
       if (line_.size() <= kMaxHeaderBytes) line_ += static_cast<char>(byte);
+    ended_ = byte != '\n';
     return true;
   }
 
@@ -174,7 +176,8 @@ class Service {
   ServeLimits limits_;
   std::string line_;
   bool in_step_ = true;     // the stream stands between two requests
-  bool cut_short_ = false;  // the input ended within one
+  bool ended_ = false;      // the last line had no line feed: the input ended in it
+  bool cut_short_ = false;  // the input ended within a request
   bool failed_ = false;     // a reply could not be written
 };
 

@@ -138,6 +138,7 @@ def cut_short():
         data = whole[:whole.index(b"\n") + 1 + size]
         answers(request("a") + data, [("a", "VERIFIED"), ("cut", "error")], code=2)
     answers(b"check a 1 1", [("a", "error")], code=2)
+    answers(b"check a 1", [("a", "error")], code=2)
     # What is announced takes no memory.
     answers(b"check huge 100000000 100000000\nabc", [("huge", "error")], code=2)
     answers(b"check huger 999999999999999 0\nabc", [("huger", "error")], code=2)

@@ -64,10 +64,10 @@ Ledger::~Ledger() {
 void Ledger::read(const std::string& path, const std::string& description) {
   const std::string text = read_text(path);
   const std::size_t whole = text.rfind('\n') + 1;  // what follows was cut short
-  std::filesystem::resize_file(path, whole);
   std::size_t at = text.find('\n');
   if (at == std::string::npos || text.substr(0, at) != description)
     throw std::runtime_error(path + " is of another campaign: its first line is not " + description);
+  std::filesystem::resize_file(path, whole);
   for (++at; at < whole;) {
     const std::size_t end = text.find('\n', at);
     try {

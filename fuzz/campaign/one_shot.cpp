@@ -22,7 +22,7 @@ class OneShot : public Implementation {
 
   Answer answer(const std::string& instance) override {
     write_text(instance_, instance);
-    std::filesystem::remove(output_);
+    std::filesystem::remove_all(output_);
     const End end = run_child(filled(contact_.command, instance_, output_), from_file_ ? "" : instance_,
                               to_file_ ? "" : output_, errors_, contact_.limits);
     Answer answer;
@@ -47,7 +47,9 @@ class OneShot : public Implementation {
         answer.kind = AnswerKind::flooded;
         break;
     }
-    answer.text = read_text(output_);
+    // What the program made instead of a file (a pipe, a link, a folder) is not read.
+    if (std::filesystem::symlink_status(output_).type() == std::filesystem::file_type::regular)
+      answer.text = read_text(output_);
     return answer;
   }
 

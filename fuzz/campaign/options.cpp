@@ -173,7 +173,8 @@ std::optional<Options> parse_options(int argc, const char* const* argv) {
   app.add_option("--cases", options.cases, "stop after so many cases, counted over all shards");
   app.add_option("--only", options.only, "run this case only");
   app.add_option("--seed", options.plan.seed, "seed of the cases")->capture_default_str();
-  app.add_option("--jobs", options.jobs, "cases at a time (0: one for each processor)")
+  app.add_option("--jobs", options.jobs, "cases at a time (0: one for each processor; at most 256)")
+      ->check(CLI::Range(0U, 256U))
       ->capture_default_str();
   app.add_option("--shard", words.shard, "i/n: the i-th of n parts of the cases, from 1");
   app.add_option("--out", options.out, "folder for everything that is written")->capture_default_str();

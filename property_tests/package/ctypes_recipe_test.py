@@ -18,7 +18,9 @@ def settings():
         runtime = run([COMPILER, "-print-file-name=libasan.so"]).strip()
         if not os.path.isabs(runtime):
             skip("this compiler has no shared run-time library of AddressSanitizer")
-        more |= {"LD_PRELOAD": runtime, "ASAN_OPTIONS": "detect_leaks=0"}
+        # The library that throws exceptions too: Python is not linked to it, and the run-time looks for it at the start.
+        thrower = run([COMPILER, "-print-file-name=libstdc++.so.6"]).strip()
+        more |= {"LD_PRELOAD": f"{runtime}:{thrower}", "ASAN_OPTIONS": "detect_leaks=0"}
     return environment(PREFIX, **more)
 
 

@@ -93,21 +93,38 @@ OrbitPoint LongLatticeStar<D>::vertex_near(const std::array<double, 3>& x) const
 }
 
 /// A vertex nearest to the centre of the cell, as far as doubles can tell.
-/// Every step of the walk makes the power grow, which has a maximum, so the walk stays in a bounded set and
-/// ends. Where the doubles are no good it ends too soon, or does not begin.
+/// The orbit of q is complete, so true centres are in q + V, whose coordinates in the reduced basis differ
+/// little from q's. A nearly flat cell has a centre in doubles anywhere (10^5 lattice vectors off in
+/// corpora/regressions/long-lattice-flat-cell); then the exact centre says where to begin, and there is no
+/// walk. The walk visits no point far from q, and every step makes the power grow: it ends.
 template <int D>
 OrbitPoint LongLatticeStar<D>::about_nearest(const std::array<Lift, D + 1>& cell) {
+  constexpr double kFar = 8;  // lattice vectors
+  const auto is_near = [this](const std::array<double, 3>& x) {
+    for (std::size_t i = 0; i < D; ++i)
+      if (!(std::fabs(x[i] - star_.centre().x[i]) <= kFar)) return false;  // not finite: not near
+    return true;
+  };
   std::array<std::array<double, 3>, D + 1> corners;
   for (std::size_t k = 0; k <= D; ++k) corners[k] = cell[k].x;
   const ApproximateSphere<D> sphere(setting_.predicates->filter(), corners);
-  OrbitPoint nearest = vertex_near(sphere.centre());
-  if (!sphere.has_centre()) return nearest;
+  const auto approximate = sphere.centre();
+  if (!sphere.has_centre() || !is_near(approximate)) {
+    CellPoints<D> points;
+    for (std::size_t k = 0; k <= D; ++k) points[k] = cell[k].point;
+    const Vector exact = circumcentre(points);
+    std::array<double, 3> centre{};
+    for (std::size_t i = 0; i < D; ++i) centre[i] = exact[static_cast<int>(i)].to_double();
+    return vertex_near(centre);
+  }
+  OrbitPoint nearest = vertex_near(approximate);
   double best = sphere.power(complex_->coordinates(nearest));
   for (bool nearer = true; nearer;) {
     nearer = false;
     visit_neighbours(OrbitPoint(nearest), [&](const OrbitPoint& p) {
-      const double other = sphere.power(complex_->coordinates(p));
-      if (best < other) {
+      const auto x = complex_->coordinates(p);
+      const double other = sphere.power(x);
+      if (best < other && is_near(x)) {
         nearest = p;
         best = other;
         nearer = true;

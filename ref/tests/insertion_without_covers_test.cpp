@@ -2,6 +2,10 @@
 /// function of the instance too: the same bytes, whichever way the star of a new point is found.
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
+#include <set>
+
 #include "flatdt/ref/families.hpp"
 #include "flatdt/ref/first_orbit.hpp"
 #include "flatdt/ref/frame_triangulation.hpp"
@@ -123,6 +127,23 @@ TEST(LongLattices, AreNoLimit) {
     EXPECT_EQ(write_triangulation(one.triangulation, describe(one)),
               write_triangulation(other.triangulation, describe(other)))
         << metric;
+  }
+}
+
+/// Cells so flat that their centres in doubles lie 10^5 lattice vectors off.
+TEST(LongLattices, WalksStayNear) {
+  for (const char* name : {"long-lattice-flat-cell", "long-lattice-four-points"}) {
+    std::ifstream in(std::string(FLATDT_CORPORA "/regressions/") + name + ".instance");
+    ASSERT_TRUE(in) << name;
+    const Instance instance = parse_instance(std::string(std::istreambuf_iterator<char>(in), {}), name);
+    std::set<std::string> answers;
+    for (const std::uint64_t seed : {0, 1, 2, 3}) {
+      TriangulationOptions options;
+      options.order_seed = seed;
+      const TriangulationResult result = triangulate(instance, analyse(instance), options);
+      answers.insert(write_triangulation(result.triangulation, describe(result)));
+    }
+    EXPECT_EQ(answers.size(), 1U) << name;
   }
 }
 

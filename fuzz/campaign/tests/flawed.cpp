@@ -2,7 +2,11 @@
 //
 // Ways: right; drop-cell (the last one); flip (an edge, on the torus of dimension 2 from 12 points on); abort
 // (from 5 points on); hang (from 3 points on); memory (from 2 points on); flood (writes without end);
-// garbage; exit-7; unsupported (dimension 3, else right); forget (writes nothing).
+// garbage; exit-7; unsupported (dimension 3, else right); forget (writes nothing);
+// pipe, link, folder (which it makes in the place of the output).
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <array>
 #include <atomic>
 #include <cstdint>
@@ -139,6 +143,9 @@ int main(int argc, char** argv) {
   std::ifstream in(argv[2]);
   const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
   if (way == "unsupported" && is_solid(text)) return 4;
+  if (way == "pipe") return mkfifo(argv[3], 0600);
+  if (way == "link") return symlink("/dev/zero", argv[3]);
+  if (way == "folder") return mkdir(argv[3], 0700);
   std::ofstream out(argv[3]);
   if (way == "flood") flood(out);
   out << answer(way, text);

@@ -1,5 +1,6 @@
 // The parts: command lines, children, capabilities files, claims of edges, the program's exit codes.
 #include <chrono>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -158,6 +159,11 @@ TEST(Program, ExitCodesSayWhatHappened) {
   EXPECT_EQ(exit_code({"--shard", "3/2"}), 2);
   EXPECT_EQ(exit_code({"--against", "/no/such/program", "--cases", "1", "--out", folder.path() + "/c"}), 3);
   EXPECT_EQ(exit_code({"--help"}), 0);
+  // What is not of a campaign is not touched.
+  std::filesystem::create_directory(folder.path() + "/other");
+  write_text(folder.path() + "/other/results.jsonl", "{\"precious\": 1}");
+  EXPECT_EQ(exit_code({"--resume", "--cases", "1", "--out", folder.path() + "/other"}), 2);
+  EXPECT_EQ(read_text(folder.path() + "/other/results.jsonl"), "{\"precious\": 1}");
 }
 
 TEST(Program, TestsTheReferenceUnlessToldOtherwise) {
