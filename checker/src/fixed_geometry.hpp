@@ -65,7 +65,7 @@ class FixedGeometry {
   std::int64_t denominator_ = 1;
   Mat<std::int64_t> gram_{};
   Mat<double> gram_double_{};
-  Mat<double> gram_magnitude_{};  // absolute values
+  Mat<double> gram_magnitude_{};               // absolute values
   std::vector<Point> base_;                    // by VertexId
   std::vector<std::optional<FixedMap>> maps_;  // by ElementId, on base lifts
 };
