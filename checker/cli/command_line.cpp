@@ -29,7 +29,16 @@ namespace {
 
 constexpr int kUsage = 2;
 constexpr int kInternal = 3;
-constexpr unsigned kMostJobs = 256;
+
+// Fewer cells are not worth a thread, and each thread takes 8 bytes for every vertex. Both hold for the default
+// only: --jobs is obeyed as it is, so that small files can show what threads do.
+constexpr std::size_t kManyCells = 10'000;
+constexpr unsigned kMostJobsUnasked = 8;
+
+unsigned default_jobs(const Triangulation& triangulation) {
+  if (triangulation.cells.size() < kManyCells) return 1;
+  return std::clamp(std::thread::hardware_concurrency(), 1U, kMostJobsUnasked);
+}
 
 int exit_code(Outcome outcome) {
   switch (outcome) {
@@ -103,12 +112,13 @@ Verdict judged(const Judging& judging) {
   return verdict;
 }
 
-Verdict judge(Input& instance_input, Input& triangulation_input, const Stages& stages) {
+/// `jobs`: threads, or 0 for the default.
+Verdict judge(Input& instance_input, Input& triangulation_input, unsigned jobs) {
   return judged([&] {
     const Instance instance = parse_instance(instance_input.stream(), instance_input.name());
     const Triangulation triangulation =
         parse_triangulation(triangulation_input.stream(), triangulation_input.name(), instance);
-    return check(instance, triangulation, stages);
+    return check(instance, triangulation, {.jobs = jobs == 0 ? default_jobs(triangulation) : jobs});
   });
 }
 
@@ -187,9 +197,9 @@ int parse_and_run(int argc, const char* const* argv) {
                                                   "with --serve: processor time for one check; 0: no limit")
                                        ->check(is_limit)
                                        ->capture_default_str();
-  Stages stages{.jobs = std::clamp(std::thread::hardware_concurrency(), 1U, kMostJobs)};
-  app.add_option("--jobs", stages.jobs, "threads for large files; default: one for each core; same output")
-      ->check(CLI::Range(1U, kMostJobs));
+  unsigned jobs = 0;
+  app.add_option("--jobs", jobs, "threads; default: one, for large files one for each core; same output")
+      ->check(CLI::Range(1U, Stages::kMostJobs));
   app.add_flag_callback(
       "--version", [] { throw CLI::Success(); }, "print the version");
   try {
@@ -220,7 +230,7 @@ int parse_and_run(int argc, const char* const* argv) {
   const Verdict verdict = [&] {
     if (!format.empty()) return judge_import(instance, format);
     Input triangulation(triangulation_path);
-    return judge(instance, triangulation, stages);
+    return judge(instance, triangulation, jobs);
   }();
   if (!verdict.reason.empty()) complain(verdict.reason);
   if (!print(json ? json_report(verdict) : text_report(verdict))) {

@@ -101,8 +101,7 @@ void check_all(const Instance& instance, const Triangulation& triangulation, con
   const Orbits orbits = make_orbits(instance, table, stages.fixed_width);
   const Complex complex = make_complex(triangulation, elements, orbits, *subgroup, table);
   Geometry geometry(complex, orbits, table, instance.metric, stages);
-  constexpr std::size_t kFewCells = 10'000;  // not worth a thread
-  const unsigned jobs = complex.cells.size() < kFewCells ? 1 : std::max(1U, stages.jobs);
+  const unsigned jobs = std::clamp(stages.jobs, 1U, Stages::kMostJobs);
   const Faces faces = find_faces(complex, jobs);
   Context context{instance, triangulation, *group,  *subgroup, orbits, complex,
                   table,    geometry,      verdict, faces,     jobs};

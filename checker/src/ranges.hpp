@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <exception>
-#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -27,7 +26,7 @@ void in_ranges(std::size_t size, unsigned jobs, const Work& work) {
   for (unsigned r = 1; r < jobs; ++r) {
     try {
       threads.emplace_back(run, r);
-    } catch (const std::system_error&) {  // no thread to be had
+    } catch (const std::exception&) {  // no thread, or no memory for one: the others must still be joined
       run(r);
     }
   }

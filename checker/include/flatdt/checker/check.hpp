@@ -11,7 +11,9 @@ namespace flatdt::checker {
 struct Stages {
   bool filter = true;       ///< floating point with certified bounds
   bool fixed_width = true;  ///< machine integers, where all numbers of the input fit
-  unsigned jobs = 1;        ///< threads at a time, from 10,000 cells on; at least 1
+  unsigned jobs = 1;        ///< threads at a time; fewer than 1 are 1, more than kMostJobs are kMostJobs
+
+  static constexpr unsigned kMostJobs = 256;
 };
 
 /// Judges whether `triangulation` is a Delaunay triangulation of the points of `instance` in E^d/H.
