@@ -30,8 +30,8 @@ namespace {
 constexpr int kUsage = 2;
 constexpr int kInternal = 3;
 
-// Fewer cells are not worth a thread, and each thread takes 8 bytes for every vertex. Both hold for the default
-// only: --jobs is obeyed as it is, so that small files can show what threads do.
+// Fewer cells are not worth a thread, and each thread takes 8 bytes for every vertex. Both hold for the
+// default only: --jobs is obeyed as it is, so that small files can show what threads do.
 constexpr std::size_t kManyCells = 10'000;
 constexpr unsigned kMostJobsUnasked = 8;
 

@@ -166,8 +166,8 @@ TEST(Stages, GiveTheSameVerdictForAnyNumberOfThreads) {
   }
 }
 
-// One flipped diagonal in 11,250 cells, in the first, a middle and the last thread's range. In this metric the
-// grid's diagonals are the short ones, so no other triangulation is Delaunay.
+// One flipped diagonal in 11,250 cells, in the first, a middle and the last thread's range. In this metric
+// the grid's diagonals are the short ones, so no other triangulation is Delaunay.
 TEST(Stages, FindTheOneFlippedSquareWithAnyNumberOfThreads) {
   constexpr int kSide = 75;
   const Instance instance = read_instance(grid_instance(kSide, kSide, "1 -1/10 1"));
@@ -185,7 +185,8 @@ TEST(Stages, FindTheOneFlippedSquareWithAnyNumberOfThreads) {
     const Verdict one = check(instance, triangulation);
     EXPECT_EQ(one[ConditionName::delaunay_empty].status, Status::fails) << square;
     for (const unsigned jobs : {2U, 3U, 8U}) {
-      EXPECT_EQ(text_of(check(instance, triangulation, {.jobs = jobs})), text_of(one)) << square << ' ' << jobs;
+      EXPECT_EQ(text_of(check(instance, triangulation, {.jobs = jobs})), text_of(one))
+          << square << ' ' << jobs;
     }
   }
 }
