@@ -707,6 +707,15 @@ def _2d_cell_missing():
 
 
 @entry(FP, f"{FP} {VE}")
+def _2d_cell_missing_at_the_end():
+    """One cell missing, at vertices that only the last cells of the file have."""
+    i, t = TORUS()
+    gone = {p for p, _ in t.cells.pop(5)}
+    t.cells.sort(key=lambda cell: any(p in gone for p, _ in cell))
+    return i, t
+
+
+@entry(FP, f"{FP} {VE}")
 def _3d_cell_missing():
     """One cell missing."""
     return without(T3_40, 5)
@@ -1125,6 +1134,22 @@ loops(CI, "dicosm-cover-too-small", "One generic point of the dicosm modulo (2Z)
       lambda: covered(ONE["dicosm"], multiples(2, 2, 2)))
 loops(CI, "tetracosm-not-normal-too-small", "One generic point of the tetracosm modulo <2Z^2, screw^5>, not normal.", CYCLE,
       lambda: covered(ONE["tetracosm"], multiples(2, 2, 5)[:2] + ["0 -1 0 0 1 0 0 0 0 0 1 5/4"]))
+
+@entry(N2, CYCLE)
+def _2d_two_points_in_the_last_row():
+    """Seven rows of four points around a torus, and one of two, with two edges between them: of all vertices the last."""
+    rows = [[F(i, 4) for i in range(4)]] * 7 + [[F(0), F(1, 2)]]
+    sheet = Drawing(torus([(x, F(j, 8)) for j, row in enumerate(rows) for x in row], metric="1 0 16"))
+    for corner in grid(4, 6):
+        sheet.add(*([(F(x, 4), F(y, 8)) for x, y in cell] for cell in kuhn(corner)))
+    # The strips on both sides of the last row are a half turn of each other.
+    for turn in (lambda x, y: (x, y), lambda x, y: (-x, F(7, 4) - y)):
+        for x in (F(0), F(1, 2)):
+            last, *row = [(x, F(7, 8))], *((x + F(i, 4), F(3, 4)) for i in (-1, 0, 1))
+            for cell in (row[:2] + last, row[1:] + last, row[2:] + last + [(x + F(1, 2), F(7, 8))]):
+                sheet.add([turn(*v) for v in cell])
+    return sheet.instance, sheet.tri
+
 
 # ================================================================ links
 
