@@ -26,12 +26,13 @@ class InstanceElements {
   [[nodiscard]] Isometry at(const OrbitPoint& p) const {
     const ref::Site& site = sites_[index_of(p.site)];
     constexpr std::int32_t kSmall = 1000;
-    const bool is_small =
-        !site.large && std::all_of(site.translation.begin(), site.translation.end(),
-                                   [](std::int32_t t) { return -kSmall < t && t < kSmall; });
+    const std::array<std::int32_t, 3>& t = site.form->translation;
+    const bool is_small = !site.is_large() && std::all_of(t.begin(), t.end(), [](std::int32_t x) {
+      return -kSmall < x && x < kSmall;
+    });
     if (!is_small) return conjugate(group_.table().isometry(p.g) * site.from_site(group_.frame()).inverse());
-    Element from_site{{}, site.coset};
-    for (std::size_t i = 0; i < 3; ++i) from_site.t[i] = static_cast<std::int16_t>(site.translation[i]);
+    Element from_site{{}, site.form->coset};
+    for (std::size_t i = 0; i < 3; ++i) from_site.t[i] = static_cast<std::int16_t>(t[i]);
     const Element g = group_.table().multiply(p.g, group_.table().inverse(from_site));
     return group_.in_instance(g.coset, {g.t[0], g.t[1], g.t[2]});
   }

@@ -69,7 +69,7 @@ class Comparison {
     g.coset = static_cast<std::uint16_t>(query.coset % table_.cosets());
     for (std::size_t i = 0; i < D; ++i) g.t[i] = query.shift[i];
     const ref::SiteId site{static_cast<std::uint32_t>(query.point % sites_.size())};
-    return {table_.apply(g, sites_[index_of(site)].approximate), {site, g}};
+    return {table_.apply(g, sites_[index_of(site)].approximate()), {site, g}};
   }
 
   ref::Vector position(const OrbitPoint& p) const {

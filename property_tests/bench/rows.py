@@ -104,6 +104,22 @@ def memory(bench):
     return Measured(values, f"{points:,} points; " + note)
 
 
+def memory_process(bench):
+    """`flatdt triangulate` on a file, from start to end: peak memory less that of a run on one point."""
+    points = 10 * bench.points
+    with tempfile.TemporaryDirectory(prefix="flatdt-bench-") as folder:
+        folder = pathlib.Path(folder)
+        runs = {}
+        for n in (1, points):
+            instance = bench.point_set_file(folder, "uniform", 3, n)
+            command = [bench.flatdt, "triangulate", "--quiet", instance, "-o", folder / "t.triangulation"]
+            runs[n] = [bench.whole_process(command) for _ in range(bench.repetitions)]
+    values = [1024 * (much["peak_kb"] - little["peak_kb"]) / points for little, much in zip(runs[1], runs[points])]
+    middle = lambda n, key: statistics.median(run[key] for run in runs[n])
+    return Measured(values, f"{points:,} points; {middle(points, 'peak_kb') / 1024:,.0f} MB, of these "
+                            f"{middle(1, 'peak_kb') / 1024:.0f} for one point; {middle(points, 'user'):.3g} s")
+
+
 def check_process(bench):
     """flatdt-check over flatdt triangulate, both from files, in turns."""
     with tempfile.TemporaryDirectory(prefix="flatdt-bench-") as folder:
@@ -181,6 +197,8 @@ def all_rows(experiments):
     rows += [
         Row("memory", "3-torus, uniform: peak memory, bytes per point", memory, 400, 300, more_is_better=False,
             unit=" B", big=True),
+        Row("memory-process", "the same for the whole process `flatdt triangulate`, from file to file", memory_process, 400,
+            300, more_is_better=False, unit=" B", big=True),
         Row("growth", "3-torus, uniform: time for ten times the points over time", growth, 12, 11, more_is_better=False,
             big=True),
         Row("checking-3d-uniform", "checking in memory, 3D uniform: CGAL is_valid's time over ours",

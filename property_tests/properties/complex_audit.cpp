@@ -107,7 +107,7 @@ void require_verified_by_checker(const Engine<D>& engine, const ref::PeriodicDel
       if (!present[site][rep]) continue;
       const VertexId v = complex.vertex_of(ref::SiteId{static_cast<std::uint32_t>(site)}, rep);
       number[v] = static_cast<std::uint32_t>(instance.points.size());
-      instance.points.push_back(engine.position(complex.vertex(v).point));
+      instance.points.push_back(engine.position(complex.point(v)));
     }
   ref::Triangulation triangulation;
   triangulation.dimension = D;

@@ -23,7 +23,7 @@ struct Engine {
   Engine& operator=(const Engine&) = delete;
 
   [[nodiscard]] ref::Lift lift(const ref::OrbitPoint& p) const {
-    return {table.apply(p.g, sites[index_of(p.site)].approximate), p};
+    return {table.apply(p.g, sites[index_of(p.site)].approximate()), p};
   }
   /// Exact coordinates of a point of GP.
   [[nodiscard]] ref::Vector position(const ref::OrbitPoint& p) const {

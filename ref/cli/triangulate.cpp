@@ -37,12 +37,12 @@ Json reason_json(const StayedInCover& reason) {
   return json;
 }
 
-Json summary(const Instance& instance, const GroupAnalysis& analysis, const TriangulationResult& result) {
+Json summary(std::size_t points, const GroupAnalysis& analysis, const TriangulationResult& result) {
   Json json;
   json["schema"] = "flatdt-triangulate 1";
   json["manifold"] = analysis.entry->name;
-  json["dimension"] = std::to_string(instance.dimension);
-  json["points"] = std::to_string(instance.points.size());
+  json["dimension"] = std::to_string(analysis.frame.dimension);
+  json["points"] = std::to_string(points);
   json["distinct_points"] = std::to_string(result.distinct_points);
   json["sheets"] = std::to_string(result.sheets);
   json["cells"] = std::to_string(result.triangulation.cells.size());
@@ -52,7 +52,7 @@ Json summary(const Instance& instance, const GroupAnalysis& analysis, const Tria
     Json& cover = json["working_cover"];
     cover["sheets"] = std::to_string(result.working_cover->sheets);
     cover["lattice"] = Json::array();
-    for (int j = 0; j < instance.dimension; ++j) {
+    for (int j = 0; j < analysis.frame.dimension; ++j) {
       const Vector v = analysis.frame.basis * result.working_cover->basis.column(j);
       cover["lattice"].push_back(v.to_string());
     }
@@ -66,10 +66,9 @@ Json summary(const Instance& instance, const GroupAnalysis& analysis, const Tria
   return json;
 }
 
-void tell(const Instance& instance, const GroupAnalysis& analysis, const TriangulationResult& result) {
-  std::string text = analysis.entry->name + ": " + std::to_string(instance.points.size()) + " points";
-  if (result.distinct_points != instance.points.size())
-    text += " (" + std::to_string(result.distinct_points) + " distinct)";
+void tell(std::size_t points, const GroupAnalysis& analysis, const TriangulationResult& result) {
+  std::string text = analysis.entry->name + ": " + std::to_string(points) + " points";
+  if (result.distinct_points != points) text += " (" + std::to_string(result.distinct_points) + " distinct)";
   if (!result.working_cover)
     text += std::string("; worked without covers; the condition of Corollary 9 ") +
             (Rational(4) * result.empty_diameter_squared < result.delta_squared ? "holds" : "does not hold");
@@ -90,7 +89,8 @@ void tell(const Instance& instance, const GroupAnalysis& analysis, const Triangu
 
 int run_triangulate(const TriangulateOptions& options) {
   const std::string file_name = options.instance == "-" ? "<stdin>" : options.instance;
-  const Instance instance = parse_instance(read_input(options.instance), file_name);
+  Instance instance = parse_instance(read_input(options.instance), file_name);
+  const std::size_t points = instance.points.size();
   const GroupAnalysis analysis = analysed(instance, file_name);
   TriangulationOptions settings;
   settings.insertion = options.engine == "covering" ? Insertion::covering : Insertion::without_covers;
@@ -104,16 +104,19 @@ int run_triangulate(const TriangulateOptions& options) {
                        ": give different places with -o and --json-summary");
   const TriangulationResult result = [&] {
     try {
-      return triangulate(instance, analysis, settings);
+      return triangulate(std::move(instance), PreparedGroup(analysis), settings);
     } catch (const LimitReached& limit) {
       throw LimitReached(file_name + ": " + limit.what());
     }
   }();
-  std::vector<Output> outputs{{options.output, write_triangulation(result.triangulation, describe(result))}};
+  std::vector<Output> outputs{{options.output, [&result](const TextSink& sink) {
+                                 write_triangulation(result.triangulation, describe(result), sink);
+                               }}};
   if (!options.json_summary.empty())
-    outputs.push_back({options.json_summary, summary(instance, analysis, result).dump(1) + "\n"});
+    outputs.push_back(
+        Output::of_text(options.json_summary, summary(points, analysis, result).dump(1) + "\n"));
   write_outputs(outputs);
-  if (!options.quiet) tell(instance, analysis, result);
+  if (!options.quiet) tell(points, analysis, result);
   return 0;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace flatdt::ref {
 namespace {
@@ -70,13 +71,13 @@ CircumradiusConstants<D>::CircumradiusConstants(const Frame& frame)
 }
 
 template <int D>
-Interval Circumradius<D>::enclose(const std::array<Lift, D + 1>& cell, double enough) const {
+Interval Circumradius<D>::enclose(const Coordinates& cell, double enough) const {
   // The error of a lift's coordinate is below e = 2^-48 (rho + 1 + |x|) (filter.hpp).
   std::array<std::array<Interval, D>, D> a;
   std::array<Interval, D> q;
   for (std::size_t k = 0; k < D; ++k) {
     for (std::size_t i = 0; i < D; ++i) {
-      const double x = cell[k + 1].x[i], y = cell[0].x[i];
+      const double x = cell[k + 1][i], y = cell[0][i];
       const double e = 2.25 * 0x1p-48 * (c_->row_sum + 1 + std::max(std::fabs(x), std::fabs(y)));
       const double difference = x - y;
       a[k][i] = outward(difference - e, difference + e);
@@ -120,7 +121,9 @@ Interval Circumradius<D>::enclose(const std::array<Lift, D + 1>& cell, double en
 
 template <int D>
 bool Circumradius<D>::is_large(const std::array<Lift, D + 1>& cell) {
-  const Interval r = enclose(cell, c_->threshold_interval.hi);
+  Coordinates x;
+  for (std::size_t k = 0; k <= D; ++k) x[k] = cell[k].x;
+  const Interval r = enclose(x, c_->threshold_interval.hi);
   if (r.lo >= c_->threshold_interval.hi) return true;
   if (r.hi < c_->threshold_interval.lo) return false;
   CellPoints<D> points;
@@ -140,16 +143,16 @@ bool Circumradius<D>::is_large(const std::array<Lift, D + 1>& cell) {
 /// as eta <= M / 100. Entries of G and its adjoint and det(G) are exact up to a relative 2 u; the last factor
 /// covers that and the rounding of the bounds themselves.
 template <int D>
-double Circumradius<D>::upper_bound(const std::array<Lift, D + 1>& cell) const {
+double Circumradius<D>::upper_bound(const Coordinates& cell) const {
   constexpr double u = 0x1p-53;
   std::array<std::array<double, D>, D> a;
   std::array<double, D> q;
   double m = 0;
   double x = 0;
-  for (std::size_t i = 0; i < D; ++i) x = std::max(x, std::fabs(cell[0].x[i]));
+  for (std::size_t i = 0; i < D; ++i) x = std::max(x, std::fabs(cell[0][i]));
   for (std::size_t k = 0; k < D; ++k) {
     for (std::size_t i = 0; i < D; ++i) {
-      a[k][i] = cell[k + 1].x[i] - cell[0].x[i];
+      a[k][i] = cell[k + 1][i] - cell[0][i];
       m = std::max(m, std::fabs(a[k][i]));
     }
     q[k] = 0;
@@ -192,6 +195,29 @@ double Circumradius<D>::upper_bound(const std::array<Lift, D + 1>& cell) const {
       (numerator + 1.1 * e_n) / (4 * least_det * least_det * c_->approximate_determinant) * (1 + 0x1p-40);
   // Not so for an underflow or a NaN.
   return least_det > 0 && bound > 0x1p-900 && c_->approximate_determinant > 0x1p-900 ? bound : kUnbounded;
+}
+
+template <int D>
+Rational Circumradius<D>::squared_diameter(const QuotientComplex<D>& complex) {
+  double least = -kInfinity;  // a lower bound of the largest R^2 so far
+  std::vector<Candidate> candidates;
+  std::set<typename FixedPredicates<D>::Edges> known;
+  for (std::uint32_t i = 0; i < complex.cell_slots(); ++i) {
+    const CellId c{i};
+    if (!complex.cell(c).is_alive()) continue;
+    const Coordinates x = complex.base_coordinates(c);
+    const double upper = upper_bound(x);
+    if (upper < least) continue;
+    // Congruent cells, of which lattices have many, are compared once.
+    const CellPoints<D> points = complex.base_points(c);
+    const auto edges = predicates_->fixed().edges(points);
+    if (edges && !known.insert(*edges).second) continue;
+    const Interval r = enclose(x, kUnbounded);
+    if (r.hi < least) continue;
+    least = std::max(least, r.lo);
+    candidates.push_back({r.hi, points});
+  }
+  return largest(candidates, least);
 }
 
 template <int D>

@@ -1,4 +1,6 @@
 /// The conflict region of a point, by breadth-first search over lifts (Section 4.2).
+#include <algorithm>
+
 #include "flatdt/ref/periodic_delaunay.hpp"
 
 namespace flatdt::ref {
@@ -6,8 +8,8 @@ namespace flatdt::ref {
 template <int D>
 bool PeriodicDelaunay<D>::in_conflict(CellId c, const OrbitPoint& seen) const {
   // Coordinates decide nearly always: the lifts are made only where they do not.
-  const auto sign =
-      setting_.predicates->quick_insphere(complex_.base_coordinates(c), complex_.coordinates(seen));
+  const auto sign = setting_.predicates->quick_insphere(complex_.base_coordinates(c),
+                                                        setting_.table->apply(seen.g, query_));
   if (sign) return *sign == Sign::positive;
   return setting_.predicates->conflict_sos(complex_.base_lift(c), complex_.lift(seen));
 }
@@ -19,11 +21,13 @@ void PeriodicDelaunay<D>::add_boundary_facet(const Location& inside, std::uint32
   const auto& cell = complex_.cell(inside.cell);
   BoundaryFacet b;
   b.outside = cell.neighbour[facet];
-  b.outside_lift = table.multiply(lift, complex_.gluing(inside.cell, facet));
+  b.outside_lift = lift;
   b.hole = facet;
-  for (std::size_t j = 0; j <= D; ++j) {
-    b.vertex[j] = cell.vertex[j];
-    b.offset[j] = table.multiply(lift, complex_.offset(inside.cell, j));
+  b.vertex = cell.vertex;
+  b.offset.fill(lift);
+  if (!complex_.has_no_elements(inside.cell)) {
+    b.outside_lift = table.multiply(lift, complex_.gluing(inside.cell, facet));
+    for (std::size_t j = 0; j <= D; ++j) b.offset[j] = table.multiply(lift, complex_.offset(inside.cell, j));
   }
   b.outside_facet = complex_.mirror_facet(inside.cell, facet);
   // The base lift is positively oriented; under a reversing element two vertices change places.
@@ -45,12 +49,28 @@ const typename PeriodicDelaunay<D>::Visit* PeriodicDelaunay<D>::find_visit(const
 
 template <int D>
 void PeriodicDelaunay<D>::record_visit(const Location& where, bool conflict) {
-  const std::uint32_t previous = last_visit(where.cell);
+  if (2 * visits_.size() >= visit_table_.size()) grow_visit_table();
+  VisitEntry& entry = visit_table_[visit_slot(where.cell)];
+  const std::uint32_t previous = entry.search == search_ ? entry.visit : kNoVisit;
   if (previous != kNoVisit) ++repeated_visits_;
   for (std::uint32_t v = previous; v != kNoVisit && !meets_own_copies_; v = visits_[v].previous)
     meets_own_copies_ = conflict || visits_[v].conflict;
-  complex_.cell(where.cell).visit = static_cast<std::uint32_t>(visits_.size());
+  entry = {search_, static_cast<std::uint32_t>(visits_.size())};
   visits_.push_back({where.cell, where.seen, conflict, previous});
+}
+
+template <int D>
+void PeriodicDelaunay<D>::begin_search() {
+  visits_.clear();
+  if (++search_ != 0) return;
+  std::fill(visit_table_.begin(), visit_table_.end(), VisitEntry{});  // once in 2^32 searches
+  search_ = 1;
+}
+
+template <int D>
+void PeriodicDelaunay<D>::grow_visit_table() {
+  visit_table_.assign(2 * visit_table_.size(), VisitEntry{});
+  for (std::uint32_t v = 0; v < visits_.size(); ++v) visit_table_[visit_slot(visits_[v].cell)] = {search_, v};
 }
 
 /// Bounded: the search meets the lifts of cells in the region and next to it; an empty ball has radius at
@@ -61,7 +81,8 @@ void PeriodicDelaunay<D>::record_visit(const Location& where, bool conflict) {
 template <int D>
 bool PeriodicDelaunay<D>::collect_conflicts(const OrbitPoint& q, const Location& at) {
   const GroupTable& table = *setting_.table;
-  visits_.clear();
+  begin_search();
+  query_ = complex_.approximate(q.site);
   region_.clear();
   boundary_.clear();
   meets_own_copies_ = false;
@@ -79,8 +100,9 @@ bool PeriodicDelaunay<D>::collect_conflicts(const OrbitPoint& q, const Location&
     const Element lift = table.multiply(q.g, table.inverse(here.seen));
     for (std::uint32_t k = 0; k <= D; ++k) {
       const auto& cell = complex_.cell(here.cell);
-      const Location there{cell.neighbour[k],
-                           table.multiply(table.inverse(complex_.gluing(here.cell, k)), here.seen)};
+      Location there{cell.neighbour[k], here.seen};
+      if (!complex_.has_no_elements(here.cell))
+        there.seen = table.multiply(table.inverse(complex_.gluing(here.cell, k)), here.seen);
       const Visit* const known = find_visit(there);
       const bool conflict =
           known != nullptr ? known->conflict : in_conflict(there.cell, {q.site, there.seen});
@@ -102,6 +124,10 @@ template void PeriodicDelaunay<2>::add_boundary_facet(const Location&, std::uint
 template void PeriodicDelaunay<3>::add_boundary_facet(const Location&, std::uint32_t, const Element&);
 template void PeriodicDelaunay<2>::record_visit(const Location&, bool);
 template void PeriodicDelaunay<3>::record_visit(const Location&, bool);
+template void PeriodicDelaunay<2>::begin_search();
+template void PeriodicDelaunay<3>::begin_search();
+template void PeriodicDelaunay<2>::grow_visit_table();
+template void PeriodicDelaunay<3>::grow_visit_table();
 template const PeriodicDelaunay<2>::Visit* PeriodicDelaunay<2>::find_visit(const Location&) const;
 template const PeriodicDelaunay<3>::Visit* PeriodicDelaunay<3>::find_visit(const Location&) const;
 

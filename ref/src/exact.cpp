@@ -1,8 +1,12 @@
 #include "flatdt/ref/exact.hpp"
 
+#include <array>
+#include <limits>
+#include <numeric>
 #include <stdexcept>
 
 #include "flatdt/ref/errors.hpp"
+#include "flatdt/ref/wide_integer.hpp"
 
 namespace flatdt::ref {
 
@@ -48,18 +52,113 @@ Integer abs(const Integer& a) {
   return a.sign() == Sign::negative ? -a : a;
 }
 
+Rational::Rational(const Integer& value) {
+  set(mpq_class(value.mpz()));
+}
+
 Rational::Rational(const Integer& numerator, const Integer& denominator) {
   if (denominator.is_zero()) throw std::invalid_argument("denominator 0");
-  value_ = mpq_class(numerator.mpz(), denominator.mpz());
-  value_.canonicalize();
+  mpq_class value(numerator.mpz(), denominator.mpz());
+  value.canonicalize();
+  set(std::move(value));
+}
+
+Rational Rational::ratio(std::int64_t numerator, std::int64_t denominator) {
+  ensure(denominator > 0 && numerator != kLeast, "a ratio of machine integers is of small ones");
+  const std::int64_t g = std::gcd(numerator, denominator);
+  Rational result;
+  result.numerator_ = numerator / g;
+  result.denominator_ = denominator / g;
+  return result;
+}
+
+void Rational::set(mpq_class value) {
+  const mpq_srcptr q = value.get_mpq_t();
+  if (mpz_fits_slong_p(mpq_numref(q)) != 0 && mpz_fits_slong_p(mpq_denref(q)) != 0 &&
+      mpz_get_si(mpq_numref(q)) != kLeast) {
+    numerator_ = mpz_get_si(mpq_numref(q));
+    denominator_ = mpz_get_si(mpq_denref(q));
+  } else {
+    set_large(std::move(value));
+  }
+}
+
+mpq_class Rational::mpq() const {
+  if (!is_small()) return *large();
+  mpq_class value;
+  mpz_set_si(value.get_num_mpz_t(), numerator_);
+  mpz_set_si(value.get_den_mpz_t(), denominator_);
+  return value;
+}
+
+Rational Rational::reduced(Int128 numerator, Int128 denominator) {
+  constexpr Int128 kMost = std::numeric_limits<std::int64_t>::max();
+  Rational result;
+  if (numerator <= kMost && numerator >= -kMost && denominator <= kMost) {
+    result.numerator_ = static_cast<std::int64_t>(numerator);
+    result.denominator_ = static_cast<std::int64_t>(denominator);
+    return result;
+  }
+  const auto assign = [](mpz_ptr to, Int128 magnitude) {
+    const std::array<std::uint64_t, 2> words{static_cast<std::uint64_t>(magnitude),
+                                             static_cast<std::uint64_t>(magnitude >> 64U)};
+    mpz_import(to, 2, -1, sizeof words[0], 0, 0, words.data());
+  };
+  mpq_class value;
+  assign(value.get_num_mpz_t(), numerator < 0 ? -numerator : numerator);
+  assign(value.get_den_mpz_t(), denominator);
+  if (numerator < 0) mpz_neg(value.get_num_mpz_t(), value.get_num_mpz_t());
+  result.set_large(std::move(value));
+  return result;
+}
+
+/// With a/(g b) and c/(g d), b and d coprime, the sum is (a d + c b) / (g b d). A prime that divides b
+/// divides neither a nor d, so not the numerator, and likewise for d: only a divisor of g can be taken out.
+/// Products of two numbers below 2^63 are below 2^126.
+Rational Rational::sum(const Rational& a, std::int64_t numerator, std::int64_t denominator) {
+  if (a.denominator_ == 1 && denominator == 1) return reduced(Int128{a.numerator_} + numerator, 1);
+  const std::int64_t g = std::gcd(a.denominator_, denominator);
+  const Int128 total = Int128{a.numerator_} * (denominator / g) + Int128{numerator} * (a.denominator_ / g);
+  if (g == 1) return reduced(total, Int128{a.denominator_} * denominator);
+  const std::int64_t h = std::gcd(static_cast<std::int64_t>(total % g), g);
+  return reduced(total / h, Int128{a.denominator_ / g} * (denominator / h));
+}
+
+Rational Rational::product(const Rational& a, std::int64_t numerator, std::int64_t denominator) {
+  const std::int64_t g = denominator == 1 ? 1 : std::gcd(a.numerator_, denominator);
+  const std::int64_t h = a.denominator_ == 1 ? 1 : std::gcd(numerator, a.denominator_);
+  return reduced(Int128{a.numerator_ / g} * (numerator / h), Int128{a.denominator_ / h} * (denominator / g));
+}
+
+double Rational::to_double() const {
+  return is_small() ? mpq().get_d() : large()->get_d();
+}
+
+std::string Rational::to_string() const {
+  if (!is_small()) return large()->get_str();
+  std::string text = std::to_string(numerator_);
+  if (denominator_ != 1) text += "/" + std::to_string(denominator_);
+  return text;
+}
+
+std::strong_ordering operator<=>(const Rational& a, const Rational& b) {
+  if (!a.is_small() || !b.is_small()) return cmp(a.mpq(), b.mpq()) <=> 0;
+  if (a.denominator_ == b.denominator_) return a.numerator_ <=> b.numerator_;
+  return Int128{a.numerator_} * b.denominator_ <=> Int128{b.numerator_} * a.denominator_;
 }
 
 Rational operator/(const Rational& a, const Rational& b) {
   if (b.is_zero()) throw std::invalid_argument("division by 0");
-  return {Rational::Canonical{}, a.value_ / b.value_};
+  if (!a.is_small() || !b.is_small()) return Rational(Rational::Canonical{}, a.mpq() / b.mpq());
+  return b.numerator_ > 0 ? Rational::product(a, b.denominator_, b.numerator_)
+                          : Rational::product(a, -b.denominator_, -b.numerator_);
 }
 
 Integer floor(const Rational& a) {
+  if (a.is_small()) {
+    const std::int64_t quotient = a.small_numerator() / a.small_denominator();
+    return Integer(long{quotient} - static_cast<long>(a.small_numerator() % a.small_denominator() < 0));
+  }
   return floor_div(a.numerator(), a.denominator());
 }
 

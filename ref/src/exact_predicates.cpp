@@ -45,13 +45,14 @@ IntegralMetric<D>::IntegralMetric(const Frame& frame) {
 template <int D>
 void ExactPredicates<D>::load(const OrbitPoint& p, Row& coordinates, mpz_class& denominator) {
   const Site& site = (*sites_)[index_of(p.site)];
-  if (!site.large) {
-    mpz_set_si(denominator.get_mpz_t(), site.small_denominator);
+  const LargeSite* const large = site.form->large.get();
+  if (large == nullptr) {
+    mpz_set_si(denominator.get_mpz_t(), site.form->small_denominator);
     for (std::size_t j = 0; j < D; ++j) mpz_set_si(small_[j].get_mpz_t(), site.small[j]);
   } else {
-    denominator = site.large->denominator;
+    denominator = large->denominator;
   }
-  const mpz_class* const numerators = site.large ? site.large->numerators.data() : small_.data();
+  const mpz_class* const numerators = large != nullptr ? large->numerators.data() : small_.data();
   const GroupTable::Linear& linear = table_->linear(p.g.coset);
   const std::array<int, 3>& tau = table_->scaled_tau(p.g.coset);
   // The site's denominator is a multiple of the translation denominator: unit = denominator / translation

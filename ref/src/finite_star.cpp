@@ -8,7 +8,7 @@ namespace flatdt::ref {
 namespace {
 
 Lift make_lift(const GroupTable& table, const std::vector<Site>& sites, const OrbitPoint& p) {
-  return {table.apply(p.g, sites[index_of(p.site)].approximate), p};
+  return {table.apply(p.g, sites[index_of(p.site)].approximate()), p};
 }
 
 }  // namespace

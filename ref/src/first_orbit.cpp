@@ -34,22 +34,23 @@ void add_candidates(const Frame& frame, const GroupTable& table, const Vector& q
 bool add_small_candidates(const SmallClosestVectors& closest, const GroupTable& table, const Site& q,
                           const Element& g, std::uint16_t coset, std::vector<Element>& candidates) {
   const auto d = static_cast<std::size_t>(table.dimension());
+  const std::int64_t denominator = q.form->small_denominator;
   // The search takes 2^60 for twice the denominator, and coordinates must stay below 2^62.
   std::int64_t reach = table.row_sum() + 1;
   for (const std::int16_t t : g.t) reach = std::max<std::int64_t>(reach, table.row_sum() + 1 + std::abs(t));
-  if (q.small_denominator >= std::int64_t{1} << 58U ||
-      static_cast<Int128>(q.small_denominator) * reach >= std::int64_t{1} << 61U)
+  if (denominator >= std::int64_t{1} << 58U || static_cast<Int128>(denominator) * reach >= std::int64_t{1}
+                                                                                               << 61U)
     return false;
   std::array<std::int64_t, 3> u{};
-  const std::array<std::int64_t, 3> there = table.apply(Element{{}, coset}, q.small, q.small_denominator);
-  const std::array<std::int64_t, 3> here = table.apply(g, q.small, q.small_denominator);
+  const std::array<std::int64_t, 3> there = table.apply(Element{{}, coset}, q.small, denominator);
+  const std::array<std::int64_t, 3> here = table.apply(g, q.small, denominator);
   for (std::size_t i = 0; i < d; ++i) u[i] = there[i] - here[i];
   const std::size_t before = candidates.size();
   for (unsigned e = 0; e < (1U << d); ++e) {
     std::array<std::int64_t, 3> shifted = u;
     for (std::size_t i = 0; i < d; ++i)
-      if ((e >> i & 1U) != 0) shifted[i] += q.small_denominator;
-    const auto vectors = closest(shifted, 2 * q.small_denominator);
+      if ((e >> i & 1U) != 0) shifted[i] += denominator;
+    const auto vectors = closest(shifted, 2 * denominator);
     if (!vectors) {
       candidates.resize(before);
       return false;
@@ -71,7 +72,7 @@ std::vector<OrbitPoint> neighbour_candidates(const Frame& frame, const GroupTabl
                                              SiteId id, const Element& g) {
   const int d = frame.dimension;
   const Site& site = sites[index_of(id)];
-  const auto closest = site.large ? std::nullopt : SmallClosestVectors::make(frame.gram);
+  const auto closest = site.is_large() ? std::nullopt : SmallClosestVectors::make(frame.gram);
   const Element back = table.inverse(g);
   std::vector<Element> elements;
   for (int c = 0; c < table.cosets(); ++c) {

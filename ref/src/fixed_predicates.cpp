@@ -113,8 +113,8 @@ template <int D>
 FixedPredicates<D>::FixedPredicates(const FixedMetric<D>& metric, const GroupTable& table,
                                     const std::vector<Site>& sites)
     : table_(&table), sites_(&sites), metric_(metric) {
-  if (!metric.fits || sites.empty() || sites[0].small_denominator == 0) return;
-  denominator_ = sites[0].small_denominator;
+  if (!metric.fits || sites.empty() || sites[0].is_large()) return;
+  denominator_ = sites[0].form->small_denominator;
   unit_ = denominator_ / table.translation_denominator();
   enabled_ = true;
 }
@@ -135,12 +135,12 @@ std::optional<int> FixedPredicates<D>::load(const OrbitPoint* p, const OrbitPoin
   };
   std::array<Int128, D> origin;
   const Site& centre = (*sites_)[index_of(w.site)];
-  if (centre.small_denominator != denominator_) return std::nullopt;
+  if (centre.form->small_denominator != denominator_) return std::nullopt;
   for (std::size_t i = 0; i < D; ++i) origin[i] = coordinate(w, centre, i);
   std::uint64_t any = 0;  // its bits bound the magnitudes of all entries
   for (std::size_t k = 0; k < Count; ++k) {
     const Site& site = (*sites_)[index_of(p[k].site)];
-    if (site.small_denominator != denominator_) return std::nullopt;
+    if (site.form->small_denominator != denominator_) return std::nullopt;
     for (std::size_t i = 0; i < D; ++i) {
       const Int128 difference = coordinate(p[k], site, i) - origin[i];
       const Int128 magnitude = difference < 0 ? -difference : difference;

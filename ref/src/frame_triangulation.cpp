@@ -30,9 +30,9 @@ std::size_t random_level(SplitMix64& random) {
 template <int D>
 class Run {
  public:
-  Run(const std::vector<Vector>& points, const PreparedGroup& group, const TriangulationOptions& options)
+  Run(std::vector<Site> sites, const PreparedGroup& group, const TriangulationOptions& options)
       : group_(group),
-        sites_(make_sites(group.frame(), group.site_maps(), points)),
+        sites_(std::move(sites)),
         predicates_(group.predicate_constants<D>(), group.table(), sites_, group.order(), options.stages),
         circumradius_(group.circumradius_constants<D>(), predicates_),
         options_(options) {}
@@ -86,7 +86,7 @@ class Run {
       }
     }
     if (level.needs_smaller_group()) return false;
-    finish(level.complex());
+    finish(std::move(level).release_complex());
     return true;
   }
 
@@ -96,20 +96,20 @@ class Run {
       hierarchy.insert_orbit(site, std::min(random_level(random), hierarchy.levels()));
     result_.hierarchy_levels = hierarchy.levels();
     result_.switched_after = hierarchy.switched_after();
-    finish(hierarchy.full().complex());
+    finish(std::move(hierarchy).release_complex());
   }
 
-  void finish(const QuotientComplex<D>& complex) {
+  /// The answer is made in the memory of the complex: in place of its cells, which are not smaller.
+  void finish(QuotientComplex<D> complex) {
     const GroupTable& table = group_.table();
     const Subgroup whole = Subgroup::whole(table);
     const Subgroup& invariance = group_.order().invariance_group();
     const bool is_on_manifold = complex.subgroup().is_whole();
     const Subgroup& modulo = is_on_manifold ? whole : invariance;
-    auto cells =
-        cells_modulo<D>(table, modulo, complex.all_cells(), complex.subgroup().index() / modulo.index());
+    const std::uint32_t multiplicity = complex.subgroup().index() / modulo.index();
+    result_.empty_diameter_squared = circumradius_.squared_diameter(complex);
+    auto cells = cells_modulo<D>(table, modulo, released_cells(std::move(complex)), multiplicity);
     ensure(cells.has_value(), "complete orbits give a triangulation invariant under the tie order's group");
-    result_.empty_diameter_squared =
-        circumradius_.squared_diameter(*cells, [&complex](const OrbitPoint& p) { return complex.lift(p); });
 
     // The end-of-run test of Section 4.1: modulo G, if the triangulation is invariant under all of G, look
     // for a loop or a 2-cycle (Theorem 7 and its converse).
@@ -125,18 +125,22 @@ class Run {
       result_.cells = *std::move(cells);
       return;
     } else if (!invariance.is_whole()) {
-      cells = unfold<D>(table, whole, invariance, *cells);
+      cells = CellList<D>(unfold<D>(table, whole, invariance, cells->listed()));
     }
     ensure(!result_.switched_after.has_value(), "Corollary 9: no loop or 2-cycle after the switch");
+    const std::vector<CellPoints<D>> listed = cells->listed();
     result_.cover = options_.smallest_cover
                         ? smallest_cover_without(group_.frame(),
-                                                 vectors(cycle_translations<D>(table, invariance, *cells)))
+                                                 vectors(cycle_translations<D>(table, invariance, listed)))
                         : group_.complete_orbit_cover();
     const Subgroup target = Subgroup::sublattice(table, *result_.cover);
-    ensure(!has_short_cycle<D>(table, invariance, target, *cells),
+    ensure(!has_short_cycle<D>(table, invariance, target, listed),
            "the complete-orbit cover is simplicial for every point set");
     result_.cells = *std::move(cells);
   }
+
+  /// What else the complex holds is freed when this returns.
+  static CellList<D> released_cells(QuotientComplex<D> complex) { return std::move(complex).release_cells(); }
 
   /// The translations and their opposites.
   static std::vector<Vector> vectors(const std::vector<Element>& translations) {
@@ -152,22 +156,22 @@ class Run {
 
   /// Corollary 9: no loop or 2-cycle if the largest empty ball's diameter is below delta/2. Among few cells
   /// they are looked for all the same: it costs little, and a wrong threshold cannot stay unnoticed.
-  std::optional<ShortCycle> find_cycle(const std::vector<CellPoints<D>>& cells) {
+  std::optional<ShortCycle> find_cycle(const CellList<D>& cells) {
     constexpr std::size_t kFewCells = 2000;
     const bool has_none = Rational(4) * result_.empty_diameter_squared < group_.frame().delta_squared;
     if (has_none && cells.size() > kFewCells) return std::nullopt;
-    const std::optional<ShortCycle> cycle = find_short_cycle<D>(group_.table(), cells);
+    const std::optional<ShortCycle> cycle = find_short_cycle<D>(group_.table(), cells.listed());
     ensure(!has_none || !cycle, "Corollary 9: no loop or 2-cycle where all empty balls are small");
     return cycle;
   }
 
-  typename FrameTriangulation<D>::Variance find_variance(const std::vector<CellPoints<D>>& cells) {
+  typename FrameTriangulation<D>::Variance find_variance(const CellList<D>& cells) {
     const Subgroup& subgroup = group_.order().invariance_group();
     const Element a = subgroup.representative(1);
     for (const CellPoints<D>& cell : cells) {
       const auto image =
           canonical_face<D + 1>(group_.table(), subgroup, moved<D + 1>(group_.table(), a, cell)).key;
-      if (!std::binary_search(cells.begin(), cells.end(), image)) return {cell, a};
+      if (!cells.has(image)) return {cell, a};
     }
     throw InternalError("a set of cells that is not invariant has a cell without its image");
   }
@@ -185,12 +189,24 @@ class Run {
 template <int D>
 FrameTriangulation<D> triangulate_in_frame(const std::vector<Vector>& points, const PreparedGroup& group,
                                            const TriangulationOptions& options) {
-  return Run<D>(points, group, options)();
+  return Run<D>(make_sites(group.frame(), group.site_maps(), points), group, options)();
+}
+
+template <int D>
+FrameTriangulation<D> triangulate_in_frame(std::vector<Vector>&& points, const PreparedGroup& group,
+                                           const TriangulationOptions& options) {
+  std::vector<Site> sites = make_sites(group.frame(), group.site_maps(), points);
+  std::vector<Vector>().swap(points);
+  return Run<D>(std::move(sites), group, options)();
 }
 
 template FrameTriangulation<2> triangulate_in_frame<2>(const std::vector<Vector>&, const PreparedGroup&,
                                                        const TriangulationOptions&);
 template FrameTriangulation<3> triangulate_in_frame<3>(const std::vector<Vector>&, const PreparedGroup&,
+                                                       const TriangulationOptions&);
+template FrameTriangulation<2> triangulate_in_frame<2>(std::vector<Vector>&&, const PreparedGroup&,
+                                                       const TriangulationOptions&);
+template FrameTriangulation<3> triangulate_in_frame<3>(std::vector<Vector>&&, const PreparedGroup&,
                                                        const TriangulationOptions&);
 
 }  // namespace flatdt::ref

@@ -14,7 +14,8 @@ PeriodicDelaunay<D>::PeriodicDelaunay(const Setting<D>& setting, const Subgroup&
       insertion_(insertion),
       complex_(*setting.table, *setting.sites, subgroup),
       by_rank_(insertion == Insertion::without_covers && subgroup.is_whole() &&
-               !setting.order->invariance_group().is_whole()) {}
+               !setting.order->invariance_group().is_whole()),
+      visit_table_(128) {}
 
 template <int D>
 void PeriodicDelaunay<D>::start(SiteId site, const std::vector<CellPoints<D>>& cells) {
@@ -155,7 +156,7 @@ void PeriodicDelaunay<D>::convert_to_manifold() {
   ensure(cells.has_value(), "the triangulation of complete orbits is invariant under the group");
   QuotientComplex<D> quotient(*setting_.table, *setting_.sites, whole);
   for (std::size_t i = 0; i < complex_.vertex_count(); i += complex_.subgroup().index())
-    quotient.add_site(complex_.vertex(VertexId{static_cast<std::uint32_t>(i)}).point.site);
+    quotient.add_site(complex_.vertex(VertexId{static_cast<std::uint32_t>(i)}).site);
   quotient.assemble(*cells, *setting_.predicates);
   complex_ = std::move(quotient);
 }

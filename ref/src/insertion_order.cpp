@@ -56,10 +56,10 @@ std::vector<SiteId> batch_order(const Frame& frame, const std::vector<Site>& sit
 
   std::vector<std::pair<std::uint64_t, SiteId>> order(sites.size());
   for (std::size_t n = 0; n < sites.size(); ++n) {
+    const std::array<double, 3> at = sites[n].approximate();
     std::array<std::uint32_t, 3> x{};
     for (std::size_t i = 0; i < d; ++i)
-      x[i] = std::min(static_cast<std::uint32_t>(sites[n].approximate[i] * scale[i] * (1U << kBits)),
-                      (1U << kBits) - 1);
+      x[i] = std::min(static_cast<std::uint32_t>(at[i] * scale[i] * (1U << kBits)), (1U << kBits) - 1);
     order[n] = {hilbert_position(x, d, kBits), SiteId{static_cast<std::uint32_t>(n)}};
   }
   SplitMix64 random(seed);

@@ -1,5 +1,6 @@
 #include "instance_elements.hpp"
 
+#include <algorithm>
 #include <map>
 #include <unordered_map>
 #include <utility>
@@ -18,14 +19,15 @@ Isometry InstanceElements::between(SiteId a, const OrbitPoint& b) const {
 /// With s = {t} r the site's element: g s^-1 = g r^-1 {-t}, and g r^-1 moves -t by its linear part.
 std::optional<InstanceElements::FrameElement> InstanceElements::in_frame(const OrbitPoint& p) const {
   const Site& s = site(p.site);
-  if (s.large) return std::nullopt;
+  if (s.is_large()) return std::nullopt;
   const GroupTable& table = group_->table();
-  const Element g = s.coset == 0 ? p.g : table.multiply(p.g, table.inverse(Element{{}, s.coset}));
+  const std::uint16_t coset = s.form->coset;
+  const Element g = coset == 0 ? p.g : table.multiply(p.g, table.inverse(Element{{}, coset}));
   FrameElement result{{g.t[0], g.t[1], g.t[2]}, g.coset};
   const GroupTable::Linear& linear = table.linear(g.coset);
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j)
-      result.translation[i] -= std::int64_t{linear[3 * i + j]} * s.translation[j];
+      result.translation[i] -= std::int64_t{linear[3 * i + j]} * s.form->translation[j];
   return result;
 }
 
@@ -38,6 +40,14 @@ class ElementNumbers {
 
   /// Either all sites of an instance are large or none is, so that one of the two tables has all elements.
   std::uint32_t operator()(const OrbitPoint& p) {
+    const SiteForm* const form = elements_->site(p.site).form.get();
+    // Most are the same as the last one.
+    if (form == last_form_ && p.g == last_element_) return last_number_;
+    last_form_ = form;
+    last_element_ = p.g;
+    return last_number_ = number(p);
+  }
+  std::uint32_t number(const OrbitPoint& p) {
     if (const auto key = elements_->in_frame(p)) {
       const auto [entry, is_new] = small_.try_emplace(*key, static_cast<std::uint32_t>(keys_.size()));
       if (is_new) keys_.push_back(*key);
@@ -70,26 +80,44 @@ class ElementNumbers {
   std::vector<InstanceElements::FrameElement> keys_;
   std::unordered_map<InstanceElements::FrameElement, std::uint32_t, Hash> small_;
   std::map<Isometry, std::uint32_t> large_;
+  const SiteForm* last_form_ = nullptr;
+  Element last_element_;
+  std::uint32_t last_number_ = 0;
 };
 
 }  // namespace
 
 template <int D>
-Triangulation to_triangulation(const std::vector<CellPoints<D>>& cells, const InstanceElements& elements) {
+Triangulation to_triangulation(CellList<D> cells, const InstanceElements& elements) {
   Triangulation result;
   result.dimension = D;
-  result.cells.reserve(cells.size());
   ElementNumbers numbers(elements);
-  for (const CellPoints<D>& cell : cells) {
-    std::array<Triangulation::CellVertex, 4> vertices{};
-    for (std::size_t k = 0; k <= D; ++k) vertices[k] = {elements.site(cell[k].site).point, numbers(cell[k])};
-    result.cells.push_back(vertices);
-  }
+  // First in place, in the order of the cells: points for sites, and numbers for codes.
+  auto& records = cells.cells();
+  for (auto& cell : records)
+    for (auto& corner : cell) {
+      const OrbitPoint p{SiteId{corner.site}, cells.codes()[corner.code]};
+      corner = {elements.site(p.site).point, numbers(p)};
+    }
   result.elements = numbers.listed();
+  // Then from the end of the reversed list, which gives its memory back step by step.
+  constexpr std::size_t kStep = 1 << 16;
+  std::reverse(records.begin(), records.end());
+  result.cells.reserve(records.size());
+  while (!records.empty()) {
+    const std::size_t left = records.size() - std::min(records.size(), kStep);
+    for (std::size_t i = records.size(); i-- > left;) {
+      std::array<Triangulation::CellVertex, 4> vertices{};
+      for (std::size_t k = 0; k <= D; ++k) vertices[k] = {records[i][k].site, records[i][k].code};
+      result.cells.push_back(vertices);
+    }
+    records.truncate(left);
+    records.shrink_to_fit();
+  }
   return result;
 }
 
-template Triangulation to_triangulation<2>(const std::vector<CellPoints<2>>&, const InstanceElements&);
-template Triangulation to_triangulation<3>(const std::vector<CellPoints<3>>&, const InstanceElements&);
+template Triangulation to_triangulation<2>(CellList<2>, const InstanceElements&);
+template Triangulation to_triangulation<3>(CellList<3>, const InstanceElements&);
 
 }  // namespace flatdt::ref

@@ -42,11 +42,12 @@ class InstanceElements {
 };
 
 /// Cells of GP as cells of the instance's points, elements numbered as they come.
-/// Complexity: O(number of vertices), and some rational arithmetic for each distinct element.
+/// Complexity: O(number of vertices), and some rational arithmetic for each distinct element. The list's
+/// memory is given back while the triangulation's is taken, so that there is one of them at a time.
 template <int D>
-Triangulation to_triangulation(const std::vector<CellPoints<D>>& cells, const InstanceElements& elements);
+Triangulation to_triangulation(CellList<D> cells, const InstanceElements& elements);
 
-extern template Triangulation to_triangulation<2>(const std::vector<CellPoints<2>>&, const InstanceElements&);
-extern template Triangulation to_triangulation<3>(const std::vector<CellPoints<3>>&, const InstanceElements&);
+extern template Triangulation to_triangulation<2>(CellList<2>, const InstanceElements&);
+extern template Triangulation to_triangulation<3>(CellList<3>, const InstanceElements&);
 
 }  // namespace flatdt::ref

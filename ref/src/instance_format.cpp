@@ -1,5 +1,8 @@
 #include "flatdt/ref/instance_format.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include "flatdt/ref/catalogue.hpp"
 #include "flatdt/ref/errors.hpp"
 #include "lexer.hpp"
@@ -50,10 +53,13 @@ Matrix parse_metric(Lexer& lexer, int dimension) {
 void parse_points(Lexer& lexer, Instance& instance) {
   const std::uint64_t count = lexer.count("the number of points", kMaxPoints);
   if (count == 0) lexer.fail("there must be at least one point");
+  // A coordinate takes at least two bytes: a count alone costs no memory.
+  const std::size_t fewest_bytes = 2 * static_cast<std::size_t>(instance.dimension);
+  instance.points.reserve(std::min<std::size_t>(count, lexer.bytes_left() / fewest_bytes + 1));
   for (std::uint64_t i = 0; i < count; ++i) {
     Vector x(instance.dimension);
     for (int k = 0; k < instance.dimension; ++k) x[k] = lexer.number("a point");
-    instance.points.push_back(x);
+    instance.points.push_back(std::move(x));
   }
 }
 

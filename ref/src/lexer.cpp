@@ -102,7 +102,7 @@ std::optional<Rational> short_fraction(std::string_view body) {
   };
   std::int64_t numerator = 0, denominator = 0;
   if (!parsed(above, numerator) || !parsed(below, denominator) || denominator == 0) return std::nullopt;
-  return Rational(mpq_class(numerator, denominator));
+  return Rational::ratio(numerator, denominator);
 }
 
 Rational fraction(std::string_view body, std::size_t slash) {

@@ -50,6 +50,8 @@ class Lexer {
   /// No token may be left. `last` names the last section.
   void expect_end(std::string_view last);
 
+  /// Bytes of the text after the token last read or looked at.
+  [[nodiscard]] std::size_t bytes_left() const { return text_.size() - position_; }
   /// The line of the token last read or looked at.
   [[nodiscard]] int line() const { return static_cast<int>(token_line_); }
   /// Throws InvalidInput with the file and the line of the token last read or looked at.

@@ -60,7 +60,7 @@ template <int D>
 const std::vector<OrbitPoint>& LongLatticeStar<D>::link(VertexId v) {
   std::vector<OrbitPoint>& found = links_[index_of(v)];
   if (found.empty()) {
-    const OrbitPoint& base = complex_->vertex(v).point;
+    const OrbitPoint base = complex_->point(v);
     for (const auto& at : complex_->star(base))
       for (const OrbitPoint& other : complex_->points(at))
         if (other != base) found.push_back(other);
@@ -83,7 +83,7 @@ void LongLatticeStar<D>::visit_neighbours(const OrbitPoint& p, const Visit& visi
 template <int D>
 OrbitPoint LongLatticeStar<D>::vertex_near(const std::array<double, 3>& x) const {
   constexpr double kFarthest = 30000;
-  const Lift first = complex_->lift(complex_->vertex(VertexId{0}).point);
+  const Lift first = complex_->lift(complex_->point(VertexId{0}));
   Element steps;
   for (std::size_t i = 0; i < D; ++i) {
     const double step = std::round(x[i] - first.x[i]);
@@ -118,11 +118,11 @@ OrbitPoint LongLatticeStar<D>::about_nearest(const std::array<Lift, D + 1>& cell
     return vertex_near(centre);
   }
   OrbitPoint nearest = vertex_near(approximate);
-  double best = sphere.power(complex_->coordinates(nearest));
+  double best = sphere.power(complex_->lift(nearest).x);
   for (bool nearer = true; nearer;) {
     nearer = false;
     visit_neighbours(OrbitPoint(nearest), [&](const OrbitPoint& p) {
-      const auto x = complex_->coordinates(p);
+      const auto x = complex_->lift(p).x;
       const double other = sphere.power(x);
       if (best < other && is_near(x)) {
         nearest = p;

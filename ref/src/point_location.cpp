@@ -17,7 +17,8 @@ OrbitPoint PeriodicDelaunay<D>::start_near(const Lift& query) const {
     if (std::fabs(steps) > 32767) throw LimitReached("the covering is longer than 32767 lattice vectors");
     s.t[i] = static_cast<std::int16_t>(steps);
   }
-  return {vertex.point.site, setting_.table->multiply(s, vertex.point.g)};
+  const OrbitPoint base = complex_.point(VertexId{0});
+  return {base.site, setting_.table->multiply(s, base.g)};
 }
 
 template <int D>
@@ -33,11 +34,12 @@ Location PeriodicDelaunay<D>::locate(SiteId site, const Element& query, const Or
     // The lift with this vertex at s * base is s offset^-1; the query is seen through its inverse.
     at.seen = table.multiply(table.multiply(complex_.offset(at.cell, k), table.inverse(split.s)), query);
   }
+  const std::array<double, 3> coordinates = complex_.approximate(site);
   CellId previous = kNoCell;
   Element previous_gluing{};
   for (;;) {
     const auto lifts = complex_.base_coordinates(at.cell);
-    const auto seen = complex_.coordinates(OrbitPoint{site, at.seen});
+    const auto seen = table.apply(at.seen, coordinates);
     // A pseudo-random first facet: a fixed order makes walks long on regular grids.
     walk_state_ = walk_state_ * 6364136223846793005ULL + 1442695040888963407ULL;
     const std::uint32_t first = static_cast<std::uint32_t>(walk_state_ >> 33) % (D + 1);

@@ -4,40 +4,14 @@
 #include <set>
 
 namespace flatdt::ref {
-namespace {
-
-/// Sorts lists of points in place: by counting of the first site, then each site's few lists.
-template <int D>
-void sort_keys(std::vector<CellPoints<D>>& keys) {
-  std::uint32_t last = 0;
-  for (const CellPoints<D>& key : keys) last = std::max(last, index_of(key[0].site));
-  std::vector<std::size_t> begin(std::size_t{last} + 2);
-  for (const CellPoints<D>& key : keys) ++begin[index_of(key[0].site) + 1];
-  for (std::size_t site = 0; site <= last; ++site) begin[site + 1] += begin[site];
-  std::vector<std::size_t> next = begin;
-  // Each exchange brings one list to its site's part for good.
-  for (std::size_t site = 0; site <= last; ++site)
-    while (next[site] < begin[site + 1]) {
-      const std::size_t home = index_of(keys[next[site]][0].site);
-      if (home == site)
-        ++next[site];
-      else
-        std::swap(keys[next[site]], keys[next[home]++]);
-    }
-  for (std::size_t site = 0; site <= last; ++site)
-    std::sort(keys.begin() + static_cast<std::ptrdiff_t>(begin[site]),
-              keys.begin() + static_cast<std::ptrdiff_t>(begin[site + 1]));
-}
-
-}  // namespace
 
 template <int D>
 void QuotientComplex<D>::add_site(SiteId site) {
   ensure(!has_site(site), "a site is added once");
+  const std::array<double, 3> approximate = (*sites_)[index_of(site)].approximate();
   first_vertex_[index_of(site)] = static_cast<std::uint32_t>(vertices_.size());
   for (std::uint32_t rep = 0; rep < subgroup_.index(); ++rep) {
-    const OrbitPoint point{site, subgroup_.representative(rep)};
-    vertices_.push_back({lift(point).x, point, kNoCell});
+    vertices_.push_back({table_->apply(subgroup_.representative(rep), approximate), site, kNoCell});
   }
 }
 
@@ -48,14 +22,14 @@ CellId QuotientComplex<D>::new_cell() {
     c = free_.back();
     free_.pop_back();
   } else {
-    // About 10 GB: beyond it a machine of ordinary size would start to swap rather than fail cleanly.
+    // About 5 GB: beyond it a machine of ordinary size would start to swap rather than fail cleanly.
     constexpr std::size_t kMaxCells = std::size_t{1} << 26;
     if (cells_.size() >= kMaxCells)
       throw LimitReached("the complex needs more than " + std::to_string(kMaxCells) +
                          " cells: too many points for a cover of " + std::to_string(subgroup_.index()) +
                          " sheets");
     c = CellId{static_cast<std::uint32_t>(cells_.size())};
-    cells_.emplace_back();
+    cells_.push_back({});
   }
   return c;
 }
@@ -63,7 +37,24 @@ CellId QuotientComplex<D>::new_cell() {
 template <int D>
 void QuotientComplex<D>::delete_cell(CellId c) {
   cell(c).vertex[0] = kNoVertex;
+  if (cell(c).elements != 0) free_elements_.push_back(cell(c).elements);
+  cell(c).elements = 0;
   free_.push_back(c);
+}
+
+template <int D>
+void QuotientComplex<D>::make_elements(CellId c) {
+  CellElements none;
+  none.offset.fill(ElementStore::kIdentity);
+  none.gluing.fill(ElementStore::kIdentity);
+  if (free_elements_.empty()) {
+    if (cell_elements_.empty()) cell_elements_.push_back(none);
+    free_elements_.push_back(static_cast<std::uint32_t>(cell_elements_.size()));
+    cell_elements_.push_back(none);
+  }
+  cell(c).elements = free_elements_.back();
+  free_elements_.pop_back();
+  cell_elements_[cell(c).elements] = none;
 }
 
 template <int D>
@@ -151,8 +142,9 @@ void QuotientComplex<D>::assume_cells(const QuotientComplex& of_one_orbit) {
   ensure(
       cells_.empty() && vertices_.size() == 1 && of_one_orbit.vertices_.size() == 1 && table_->cosets() == 1,
       "cells are taken over from one orbit of a torus to another");
-  cells_ = of_one_orbit.cells_;
-  elements_ = of_one_orbit.elements_;
+  for (const Cell& cell : of_one_orbit.cells_) cells_.push_back(cell);
+  cell_elements_ = of_one_orbit.cell_elements_;
+  codes_ = of_one_orbit.codes_;
   vertices_[0].cell = of_one_orbit.vertices_[0].cell;
 }
 
@@ -161,7 +153,7 @@ void QuotientComplex<D>::assemble(const std::vector<CellPoints<D>>& cells, Predi
   ensure(cells_.empty(), "assemble fills an empty complex");
   std::vector<FacetOccurrence> facets;
   facets.reserve(cells.size() * (D + 1));
-  cells_.reserve(std::max(cells_.capacity(), cells.size()));
+  cells_.reserve(cells.size());
   for (const CellPoints<D>& points : cells) {
     const CellId id = add_cell(points, predicates);
     const CellPoints<D> base = base_points(id);
@@ -201,48 +193,27 @@ std::vector<CellPoints<D>> QuotientComplex<D>::all_cells() const {
 }
 
 template <int D>
-std::optional<std::vector<CellPoints<D>>> cells_modulo(const GroupTable& table, const Subgroup& group,
-                                                       std::vector<CellPoints<D>> cells,
-                                                       std::uint32_t multiplicity) {
-  for (CellPoints<D>& cell : cells) cell = canonical_face<D + 1>(table, group, cell).key;
-  sort_keys<D>(cells);
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < cells.size();) {
-    std::size_t end = i;
-    while (end < cells.size() && cells[end] == cells[i]) ++end;
-    if (end - i != multiplicity) return std::nullopt;
-    cells[kept++] = cells[i];
-    i = end;
-  }
-  cells.resize(kept);
-  return cells;
-}
-
-template <int D>
-std::vector<CellPoints<D>> unfold(const GroupTable& table, const Subgroup& group, const Subgroup& target,
-                                  const std::vector<CellPoints<D>>& cells) {
-  std::vector<Element> representatives;
-  for (std::uint32_t rep = 0; rep < target.index(); ++rep)
-    if (group.split(target.representative(rep)).rep == 0)
-      representatives.push_back(target.representative(rep));
-  std::vector<CellPoints<D>> result;
-  result.reserve(cells.size() * representatives.size());
-  for (const CellPoints<D>& cell : cells)
-    for (const Element& r : representatives)
-      result.push_back(canonical_face<D + 1>(table, target, moved<D + 1>(table, r, cell)).key);
-  std::sort(result.begin(), result.end());
-  return result;
+CellList<D> QuotientComplex<D>::release_cells() && {
+  // Everything that is not needed for the points of a cell goes first.
+  free_ = {};
+  free_elements_ = {};
+  WideElementStore codes;
+  // A complex cell of d+1 vertices and neighbours is not smaller than d+1 points.
+  auto cells = std::move(cells_).template turned<typename CellList<D>::Cell>(
+      [this, &codes](const Cell& cell, typename CellList<D>::Cell& points) {
+        if (!cell.is_alive()) return false;
+        for (std::size_t k = 0; k <= D; ++k) {
+          const OrbitPoint base = point(cell.vertex[k]);
+          const Element offset =
+              cell.elements == 0 ? Element{} : codes_[cell_elements_[cell.elements].offset[k]];
+          points[k] = {index_of(base.site), codes.code(table_->multiply(offset, base.g))};
+        }
+        return true;
+      });
+  return {std::move(cells), std::move(codes)};
 }
 
 template class QuotientComplex<2>;
 template class QuotientComplex<3>;
-template std::optional<std::vector<CellPoints<2>>> cells_modulo<2>(const GroupTable&, const Subgroup&,
-                                                                   std::vector<CellPoints<2>>, std::uint32_t);
-template std::optional<std::vector<CellPoints<3>>> cells_modulo<3>(const GroupTable&, const Subgroup&,
-                                                                   std::vector<CellPoints<3>>, std::uint32_t);
-template std::vector<CellPoints<2>> unfold<2>(const GroupTable&, const Subgroup&, const Subgroup&,
-                                              const std::vector<CellPoints<2>>&);
-template std::vector<CellPoints<3>> unfold<3>(const GroupTable&, const Subgroup&, const Subgroup&,
-                                              const std::vector<CellPoints<3>>&);
 
 }  // namespace flatdt::ref

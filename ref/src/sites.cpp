@@ -76,7 +76,7 @@ std::vector<Site> make_general_sites(const Frame& frame, const SiteMaps& maps,
     sites[i].point = k.point;
     // p = to_point c (catalogue) = (F^-1 to_point F) T(shift) d in the frame, F = to_catalogue.
     exact.push_back(
-        {{}, {}, maps.from_catalogue * k.to_point * frame_to_catalogue * Isometry::translate(shift)});
+        {{}, {}, {}, maps.from_catalogue * k.to_point * frame_to_catalogue * Isometry::translate(shift)});
   }
   for (std::size_t i = 0; i < sites.size(); ++i) {
     Site& site = sites[i];
@@ -91,9 +91,11 @@ std::vector<Site> make_general_sites(const Frame& frame, const SiteMaps& maps,
       const Rational scaled = positions[i][j] * Rational(denominator);
       ensure(scaled.is_integer(), "the denominator clears every coordinate");
       exact[i].numerators[k] = scaled.numerator().mpz();
-      site.approximate[k] = positions[i][j].to_double();
+      exact[i].approximate[k] = positions[i][j].to_double();
     }
-    site.large = std::make_shared<const LargeSite>(std::move(exact[i]));
+    SiteForm form;
+    form.large = std::make_unique<const LargeSite>(std::move(exact[i]));
+    site.form = std::make_shared<const SiteForm>(std::move(form));
   }
   return sites;
 }
@@ -120,10 +122,10 @@ std::vector<Site> make_sites(const Frame& frame, const std::vector<Vector>& poin
 }
 
 Isometry Site::from_site(const Frame& frame) const {
-  if (large) return large->from_site;
-  Isometry element = frame.cosets[coset];
+  if (is_large()) return form->large->from_site;
+  Isometry element = frame.cosets[form->coset];
   for (int i = 0; i < frame.dimension; ++i)
-    element.translation[i] += Rational(static_cast<long>(translation[static_cast<std::size_t>(i)]));
+    element.translation[i] += Rational(static_cast<long>(form->translation[static_cast<std::size_t>(i)]));
   return element;
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
+#include <memory>
 #include <numeric>
 
 #include "flatdt/ref/wide_integer.hpp"
@@ -29,11 +31,9 @@ struct IntegerMap {
 /// denominator * value. Requires: the denominator is a multiple of the value's. Nothing if the product is not
 /// below `limit`.
 std::optional<std::int64_t> scaled(const Rational& value, std::int64_t denominator, std::int64_t limit) {
-  const mpq_srcptr q = value.mpq().get_mpq_t();
-  if (!mpz_fits_slong_p(mpq_numref(q)) || !mpz_fits_slong_p(mpq_denref(q))) return std::nullopt;
-  ensure(denominator % mpz_get_si(mpq_denref(q)) == 0, "the denominator clears the number");
-  const Int128 product =
-      static_cast<Int128>(mpz_get_si(mpq_numref(q))) * (denominator / mpz_get_si(mpq_denref(q)));
+  if (!value.is_small()) return std::nullopt;
+  ensure(denominator % value.small_denominator() == 0, "the denominator clears the number");
+  const Int128 product = Int128{value.small_numerator()} * (denominator / value.small_denominator());
   if (product >= limit || product <= -limit) return std::nullopt;
   return static_cast<std::int64_t>(product);
 }
@@ -65,9 +65,8 @@ std::optional<std::int64_t> common_multiple(std::int64_t a, std::int64_t b) {
 
 /// The same with a rational's denominator.
 std::optional<std::int64_t> common_multiple(std::int64_t a, const Rational& value) {
-  const mpz_srcptr b = mpq_denref(value.mpq().get_mpq_t());
-  if (!mpz_fits_slong_p(b)) return std::nullopt;
-  return common_multiple(a, std::int64_t{mpz_get_si(b)});
+  if (!value.is_small()) return std::nullopt;
+  return common_multiple(a, value.small_denominator());
 }
 
 /// The same with all denominators of a map.
@@ -118,11 +117,10 @@ class SmallSites {
     std::optional<std::int64_t> given = 1;
     for (const Vector& p : *points_)
       for (int i = 0; i < frame_->dimension; ++i) {
-        const mpz_srcptr den = mpq_denref(p[i].mpq().get_mpq_t());
-        if (!mpz_fits_slong_p(den)) return false;
-        const long value = mpz_get_si(den);
+        if (!p[i].is_small()) return false;
+        const std::int64_t value = p[i].small_denominator();
         if (*given % value == 0) continue;
-        given = common_multiple(*given, std::int64_t{value});
+        given = common_multiple(*given, value);
         if (!given) return false;
       }
     given_ = *given;
@@ -159,10 +157,8 @@ class SmallSites {
     for (std::size_t n = 0; n < points_->size(); ++n) {
       Coordinates p{};
       for (std::size_t i = 0; i < dimension(); ++i) {
-        const mpq_class& value = (*points_)[n][static_cast<int>(i)].mpq();
-        if (!mpz_fits_slong_p(mpq_numref(value.get_mpq_t()))) return false;
-        const Int128 wide = static_cast<Int128>(mpz_get_si(mpq_numref(value.get_mpq_t()))) *
-                            (given_ / mpz_get_si(mpq_denref(value.get_mpq_t())));
+        const Rational& value = (*points_)[n][static_cast<int>(i)];
+        const Int128 wide = Int128{value.small_numerator()} * (given_ / value.small_denominator());
         if (!keep(wide, p[i])) return false;
       }
       Coordinates x{};
@@ -201,26 +197,34 @@ class SmallSites {
         if (divisor > 1) divisor = std::gcd(divisor, site.small[i]);
       }
       site.point = all_[n].point;
-      site.coset = maps_->inverse_coset[all_[n].coset];
+      const std::uint16_t coset = maps_->inverse_coset[all_[n].coset];
+      std::array<std::int32_t, 3> translation{};
       for (std::size_t i = 0; i < dimension(); ++i) {
-        const Int128 rest = all_[n].frame[i] - frame_cosets_[site.coset].row(i, site.small);
+        const Int128 rest = all_[n].frame[i] - frame_cosets_[coset].row(i, site.small);
         ensure(rest % denominator_ == 0, "a point and its site differ by an element of the group");
         const Int128 t = rest / denominator_;
         if (t > std::numeric_limits<std::int32_t>::max() || t < -std::numeric_limits<std::int32_t>::max())
           return std::nullopt;
-        site.translation[i] = static_cast<std::int32_t>(t);
+        translation[i] = static_cast<std::int32_t>(t);
       }
+      site.form = form(coset, translation);
     }
     const std::int64_t least =
         std::lcm(denominator_ / divisor, static_cast<std::int64_t>(frame_->translation_denominator));
-    for (Site& site : sites) {
-      site.small_denominator = least;
-      for (std::size_t i = 0; i < dimension(); ++i) {
-        site.small[i] /= denominator_ / least;
-        site.approximate[i] = static_cast<double>(site.small[i]) / static_cast<double>(least);
-      }
-    }
+    for (const auto& [element, form] : forms_) form->small_denominator = least;
+    for (Site& site : sites)
+      for (std::size_t i = 0; i < dimension(); ++i) site.small[i] /= denominator_ / least;
     return sites;
+  }
+
+  std::shared_ptr<const SiteForm> form(std::uint16_t coset, const std::array<std::int32_t, 3>& translation) {
+    std::shared_ptr<SiteForm>& form = forms_[{coset, translation[0], translation[1], translation[2]}];
+    if (!form) {
+      form = std::make_shared<SiteForm>();
+      form->coset = coset;
+      form->translation = translation;
+    }
+    return form;
   }
 
   const Frame* frame_;
@@ -233,6 +237,7 @@ class SmallSites {
   std::vector<IntegerMap> catalogue_cosets_;
   std::vector<IntegerMap> frame_cosets_;
   std::vector<Canonical> all_;
+  std::map<std::array<std::int32_t, 4>, std::shared_ptr<SiteForm>> forms_;
 };
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "flatdt/ref/triangulate.hpp"
 
+#include <utility>
+
 #include "instance_elements.hpp"
 
 namespace flatdt::ref {
@@ -30,7 +32,7 @@ StayedInCover explain(const typename FrameTriangulation<D>::Variance& variance,
 }
 
 template <int D>
-TriangulationResult in_instance(const FrameTriangulation<D>& answer, const PreparedGroup& group) {
+TriangulationResult in_instance(FrameTriangulation<D> answer, const PreparedGroup& group) {
   const InstanceElements elements(group, answer.sites);
   TriangulationResult result;
   result.distinct_points = answer.sites.size();
@@ -40,12 +42,12 @@ TriangulationResult in_instance(const FrameTriangulation<D>& answer, const Prepa
   result.delta_squared = group.frame().delta_squared;
   result.empty_diameter_squared = answer.empty_diameter_squared;
   if (answer.cover)
-    result.triangulation =
-        to_triangulation<D>(unfold<D>(group.table(), group.order().invariance_group(),
-                                      Subgroup::sublattice(group.table(), *answer.cover), answer.cells),
-                            elements);
+    result.triangulation = to_triangulation<D>(
+        CellList<D>(unfold<D>(group.table(), group.order().invariance_group(),
+                              Subgroup::sublattice(group.table(), *answer.cover), answer.cells.listed())),
+        elements);
   else
-    result.triangulation = to_triangulation<D>(answer.cells, elements);
+    result.triangulation = to_triangulation<D>(std::move(answer.cells), elements);
   if (answer.cycle) result.reason = explain(*answer.cycle, elements);
   if (answer.variance) result.reason = explain<D>(*answer.variance, elements);
   if (answer.cover) {
@@ -65,6 +67,13 @@ TriangulationResult triangulate(const Instance& instance, const PreparedGroup& g
   if (instance.dimension == 2)
     return in_instance<2>(triangulate_in_frame<2>(instance.points, group, options), group);
   return in_instance<3>(triangulate_in_frame<3>(instance.points, group, options), group);
+}
+
+TriangulationResult triangulate(Instance&& instance, const PreparedGroup& group,
+                                const TriangulationOptions& options) {
+  if (instance.dimension == 2)
+    return in_instance<2>(triangulate_in_frame<2>(std::move(instance.points), group, options), group);
+  return in_instance<3>(triangulate_in_frame<3>(std::move(instance.points), group, options), group);
 }
 
 TriangulationResult triangulate(const Instance& instance, const GroupAnalysis& analysis,

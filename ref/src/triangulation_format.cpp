@@ -1,5 +1,7 @@
 #include "flatdt/ref/triangulation_format.hpp"
 
+#include <charconv>
+
 #include "lexer.hpp"
 
 namespace flatdt::ref {
@@ -33,6 +35,13 @@ void append_comment(std::string& text, const std::string& comment) {
   text += '\n';
 }
 
+/// With a blank before it.
+void append_number(std::string& text, std::uint32_t number) {
+  std::array<char, 11> digits{' '};
+  const auto end = std::to_chars(digits.data() + 1, digits.data() + digits.size(), number).ptr;
+  text.append(digits.data(), end);
+}
+
 }  // namespace
 
 Triangulation parse_triangulation(std::string_view text, const std::string& file_name, int dimension,
@@ -64,19 +73,32 @@ Triangulation parse_triangulation(std::string_view text, const std::string& file
   return triangulation;
 }
 
-std::string write_triangulation(const Triangulation& triangulation,
-                                const std::vector<std::string>& comments) {
+void write_triangulation(const Triangulation& triangulation, const std::vector<std::string>& comments,
+                         const TextSink& sink) {
+  constexpr std::size_t kPiece = 1 << 16;
   std::string text = "flatdt-triangulation 1\n";
   for (const std::string& comment : comments) append_comment(text, comment);
   if (triangulation.has_subgroup) append_isometries(text, "subgroup", triangulation.subgroup);
   append_isometries(text, "elements", triangulation.elements);
   text += "cells " + std::to_string(triangulation.cells.size()) + "\n";
   for (const auto& cell : triangulation.cells) {
-    text += " ";
-    for (std::size_t k = 0; k <= static_cast<std::size_t>(triangulation.dimension); ++k)
-      text += " " + std::to_string(cell[k].point) + " " + std::to_string(cell[k].element);
+    text += ' ';
+    for (std::size_t k = 0; k <= static_cast<std::size_t>(triangulation.dimension); ++k) {
+      append_number(text, cell[k].point);
+      append_number(text, cell[k].element);
+    }
     text += '\n';
+    if (text.size() < kPiece) continue;
+    sink(text);
+    text.clear();
   }
+  sink(text);
+}
+
+std::string write_triangulation(const Triangulation& triangulation,
+                                const std::vector<std::string>& comments) {
+  std::string text;
+  write_triangulation(triangulation, comments, [&text](std::string_view piece) { text += piece; });
   return text;
 }
 

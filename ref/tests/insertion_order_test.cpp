@@ -38,7 +38,7 @@ TEST(BatchOrder, FollowsTheCurve) {
   const std::vector<SiteId> order = batch_order(frame, sites, 7);
   double total = 0;
   for (std::size_t i = 513; i < order.size(); ++i) {
-    const auto &a = sites[index_of(order[i - 1])].approximate, &b = sites[index_of(order[i])].approximate;
+    const auto a = sites[index_of(order[i - 1])].approximate(), b = sites[index_of(order[i])].approximate();
     total += 16 * std::sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) +
                             (a[2] - b[2]) * (a[2] - b[2]));
   }

@@ -38,7 +38,9 @@ struct World {
       g.t[i] = static_cast<std::int16_t>(below(random, 2 * reach + 1) - reach);
     return {SiteId{static_cast<std::uint32_t>(below(random, static_cast<int>(sites.size())))}, g};
   }
-  Lift lift(const OrbitPoint& p) const { return {table.apply(p.g, sites[index_of(p.site)].approximate), p}; }
+  Lift lift(const OrbitPoint& p) const {
+    return {table.apply(p.g, sites[index_of(p.site)].approximate()), p};
+  }
 
   /// Exact coordinates in the frame.
   Vector position(const OrbitPoint& p) const {

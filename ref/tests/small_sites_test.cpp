@@ -32,7 +32,7 @@ TEST(SmallSites, AreTheGeneralOnes) {
             EXPECT_EQ(s.numerator(k), g.numerator(k));
             const auto j = static_cast<std::size_t>(k);
             const Rational error =
-                Rational(mpq_class(s.approximate[j])) - Rational(s.numerator(k), s.denominator());
+                Rational(mpq_class(s.approximate()[j])) - Rational(s.numerator(k), s.denominator());
             EXPECT_LT(abs(error) * Rational(Integer(1L << 51U)), Rational(1));
           }
           EXPECT_EQ(s.from_site(frame), g.from_site(frame)) << entry.name << " " << family;

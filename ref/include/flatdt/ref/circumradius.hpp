@@ -2,10 +2,8 @@
 /// ball.
 #pragma once
 
-#include <algorithm>
 #include <limits>
 #include <memory>
-#include <set>
 #include <vector>
 
 #include "flatdt/ref/quotient_complex.hpp"
@@ -46,34 +44,9 @@ class Circumradius {
   [[nodiscard]] bool is_large(const std::array<Lift, D + 1>& cell);
 
   /// Delta^2 = 4 max R^2 over the cells (exact, Gram units): the squared diameter of the largest empty ball.
-  /// `lift(p)` is the lift of a point of GP. Requires: at least one cell.
-  template <class LiftOf>
-  [[nodiscard]] Rational squared_diameter(const std::vector<CellPoints<D>>& cells, const LiftOf& lift) {
-    const auto lifts = [&lift](const CellPoints<D>& points) {
-      std::array<Lift, D + 1> cell;
-      for (std::size_t k = 0; k <= D; ++k) cell[k] = lift(points[k]);
-      return cell;
-    };
-    // A lower bound from the cell that looks largest leaves few others.
-    std::vector<double> upper;
-    upper.reserve(cells.size());
-    for (const CellPoints<D>& points : cells) upper.push_back(upper_bound(lifts(points)));
-    const auto first = static_cast<std::size_t>(std::max_element(upper.begin(), upper.end()) - upper.begin());
-    double least = enclose(lifts(cells[first]), kUnbounded).lo;
-    std::vector<Candidate> candidates;
-    std::set<typename FixedPredicates<D>::Edges> known;
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      if (upper[i] < least) continue;
-      // Congruent cells, of which lattices have many, are compared once.
-      const auto edges = predicates_->fixed().edges(cells[i]);
-      if (edges && !known.insert(*edges).second) continue;
-      const Interval r = enclose(lifts(cells[i]), kUnbounded);
-      if (r.hi < least) continue;
-      least = std::max(least, r.lo);
-      candidates.push_back({r.hi, cells[i]});
-    }
-    return largest(candidates, least);
-  }
+  /// Requires: at least one cell. Nothing is kept of cells that cannot have the largest ball by what is known
+  /// when they are met: on evenly spread points, O(log n) are kept.
+  [[nodiscard]] Rational squared_diameter(const QuotientComplex<D>& complex);
 
  private:
   /// A cell that may have the largest ball.
@@ -81,16 +54,17 @@ class Circumradius {
     double upper;
     CellPoints<D> points;
   };
+  using Coordinates = std::array<std::array<double, 3>, D + 1>;  // of the vertices of a lift
   static constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
   /// 4 R^2 of the largest of the candidates, those with an upper bound below `least` left out.
   [[nodiscard]] Rational largest(const std::vector<Candidate>& candidates, double least);
   /// An upper bound of R^2 in Gram units, quickly found; infinite when the doubles cannot tell.
   /// Error analysis: at its definition.
-  [[nodiscard]] double upper_bound(const std::array<Lift, D + 1>& cell) const;
+  [[nodiscard]] double upper_bound(const Coordinates& cell) const;
   /// Enclosure of R^2 in Gram units; the whole real line when the doubles cannot tell. May stop at a lower
   /// bound that is at least `enough`.
-  [[nodiscard]] Interval enclose(const std::array<Lift, D + 1>& cell, double enough) const;
+  [[nodiscard]] Interval enclose(const Coordinates& cell, double enough) const;
 
   Predicates<D>* predicates_;
   std::shared_ptr<const CircumradiusConstants<D>> c_;

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "flatdt/ref/periodic_delaunay.hpp"
@@ -27,6 +28,9 @@ class DelaunayHierarchy {
 
   /// Level 0: all orbits.
   [[nodiscard]] const PeriodicDelaunay<D>& full() const { return levels_.front(); }
+  [[nodiscard]] QuotientComplex<D> release_complex() && {
+    return std::move(levels_.front()).release_complex();
+  }
   [[nodiscard]] std::size_t levels() const { return levels_.size(); }
   /// After how many orbits level 0 left the cover, if it did.
   [[nodiscard]] std::optional<std::size_t> switched_after() const { return switched_after_; }

@@ -5,9 +5,11 @@
 
 #include <gmpxx.h>
 
+#include <bit>
 #include <compare>
 #include <cstdint>
 #include <string>
+#include <utility>
 
 namespace flatdt::ref {
 
@@ -86,79 +88,134 @@ Integer gcd(const Integer& a, const Integer& b);
 Integer lcm(const Integer& a, const Integer& b);
 Integer abs(const Integer& a);
 
-/// A rational number, always canonical.
+/// A rational number, always canonical: 16 bytes where both its numbers are below 2^63 in magnitude, as
+/// nearly all are that points come with, else a number of GMP's. Invariant: that form is taken whenever it
+/// can be, so equal values have equal forms.
 class Rational {
  public:
   Rational() = default;
-  Rational(int value) : value_(value) {}                   // NOLINT(google-explicit-constructor)
-  Rational(long value) : value_(value) {}                  // NOLINT(google-explicit-constructor)
-  Rational(const Integer& value) : value_(value.mpz()) {}  // NOLINT(google-explicit-constructor)
+  Rational(int value) : numerator_(value) {}  // NOLINT(google-explicit-constructor)
+  Rational(long value) {                      // NOLINT(google-explicit-constructor)
+    if (value == kLeast)
+      set_large(mpq_class(value));
+    else
+      numerator_ = value;
+  }
+  Rational(const Integer& value);  // NOLINT(google-explicit-constructor)
   /// numerator / denominator. Throws std::invalid_argument if the denominator is zero.
   Rational(const Integer& numerator, const Integer& denominator);
-  explicit Rational(mpq_class value) : value_(std::move(value)) { value_.canonicalize(); }
+  explicit Rational(mpq_class value) {
+    value.canonicalize();
+    set(std::move(value));
+  }
+  /// numerator / denominator. Requires: denominator > 0, numerator > -2^63.
+  static Rational ratio(std::int64_t numerator, std::int64_t denominator);
 
-  [[nodiscard]] Integer numerator() const { return Integer(mpz_class(value_.get_num())); }
-  [[nodiscard]] Integer denominator() const { return Integer(mpz_class(value_.get_den())); }
-  [[nodiscard]] const mpq_class& mpq() const { return value_; }
-  [[nodiscard]] Sign sign() const { return sign_of_int(sgn(value_)); }
-  [[nodiscard]] bool is_zero() const { return sgn(value_) == 0; }
-  [[nodiscard]] bool is_integer() const { return value_.get_den() == 1; }
+  Rational(const Rational& o) : numerator_(o.numerator_), denominator_(o.denominator_) {
+    if (!is_small()) set_large(*o.large());
+  }
+  Rational(Rational&& o) noexcept : numerator_(o.numerator_), denominator_(o.denominator_) {
+    if (!is_small()) o.forget();
+  }
+  Rational& operator=(const Rational& o) {
+    if (this != &o) *this = Rational(o);
+    return *this;
+  }
+  Rational& operator=(Rational&& o) noexcept {
+    std::swap(numerator_, o.numerator_);
+    std::swap(denominator_, o.denominator_);
+    return *this;
+  }
+  ~Rational() {
+    if (!is_small()) delete large();
+  }
+
+  /// Both numbers are below 2^63 in magnitude.
+  [[nodiscard]] bool is_small() const { return denominator_ != 0; }
+  /// Requires: is_small().
+  [[nodiscard]] std::int64_t small_numerator() const { return numerator_; }
+  [[nodiscard]] std::int64_t small_denominator() const { return denominator_; }
+
+  [[nodiscard]] Integer numerator() const {
+    return is_small() ? Integer(long{numerator_}) : Integer(mpz_class(large()->get_num()));
+  }
+  [[nodiscard]] Integer denominator() const {
+    return is_small() ? Integer(long{denominator_}) : Integer(mpz_class(large()->get_den()));
+  }
+  [[nodiscard]] mpq_class mpq() const;
+  [[nodiscard]] Sign sign() const {
+    return is_small() ? sign_of_int(static_cast<int>(numerator_ > 0) - static_cast<int>(numerator_ < 0))
+                      : sign_of_int(sgn(*large()));
+  }
+  [[nodiscard]] bool is_zero() const { return is_small() && numerator_ == 0; }
+  [[nodiscard]] bool is_integer() const { return is_small() ? denominator_ == 1 : large()->get_den() == 1; }
   /// Truncated towards zero (mpq_get_d): relative error below 2^-52.
-  [[nodiscard]] double to_double() const { return value_.get_d(); }
+  [[nodiscard]] double to_double() const;
   /// "p" or "p/q", reduced.
-  [[nodiscard]] std::string to_string() const { return value_.get_str(); }
+  [[nodiscard]] std::string to_string() const;
 
-  Rational& operator+=(const Rational& o) {
-    value_ += o.value_;
-    return *this;
-  }
-  Rational& operator-=(const Rational& o) {
-    value_ -= o.value_;
-    return *this;
-  }
-  Rational& operator*=(const Rational& o) {
-    value_ *= o.value_;
-    return *this;
-  }
-  /// Adds factor * b; without a division where b is an integer.
+  Rational& operator+=(const Rational& o) { return *this = *this + o; }
+  Rational& operator-=(const Rational& o) { return *this = *this - o; }
+  Rational& operator*=(const Rational& o) { return *this = *this * o; }
+  /// Adds factor * b.
   void add_multiple(long factor, const Rational& b) {
-    if (b.is_zero()) return;
-    if (b.value_.get_den() != 1) {
-      value_ += b.value_ * factor;
-      return;
-    }
-    // p/q + f b = (p + f b q) / q stays reduced.
-    const mpz_class product = b.value_.get_num() * value_.get_den();
-    if (factor >= 0)
-      mpz_addmul_ui(value_.get_num_mpz_t(), product.get_mpz_t(), static_cast<unsigned long>(factor));
-    else
-      mpz_submul_ui(value_.get_num_mpz_t(), product.get_mpz_t(), -static_cast<unsigned long>(factor));
+    if (!b.is_zero()) *this += Rational(factor) * b;
   }
   friend Rational operator+(const Rational& a, const Rational& b) {
-    return {Canonical{}, a.value_ + b.value_};
+    if (a.is_small() && b.is_small()) return sum(a, b.numerator_, b.denominator_);
+    return Rational(Canonical{}, a.mpq() + b.mpq());
   }
   friend Rational operator-(const Rational& a, const Rational& b) {
-    return {Canonical{}, a.value_ - b.value_};
+    if (a.is_small() && b.is_small()) return sum(a, -b.numerator_, b.denominator_);
+    return Rational(Canonical{}, a.mpq() - b.mpq());
   }
   friend Rational operator*(const Rational& a, const Rational& b) {
-    return {Canonical{}, a.value_ * b.value_};
+    if (a.is_small() && b.is_small()) return product(a, b.numerator_, b.denominator_);
+    return Rational(Canonical{}, a.mpq() * b.mpq());
   }
   /// Throws std::invalid_argument if b is zero (GMP would raise SIGFPE).
   friend Rational operator/(const Rational& a, const Rational& b);
-  friend Rational operator-(const Rational& a) { return {Canonical{}, -a.value_}; }
-  friend bool operator==(const Rational& a, const Rational& b) { return a.value_ == b.value_; }
-  friend std::strong_ordering operator<=>(const Rational& a, const Rational& b) {
-    return cmp(a.value_, b.value_) <=> 0;
+  friend Rational operator-(const Rational& a) {
+    if (!a.is_small()) return Rational(Canonical{}, -*a.large());
+    Rational result = a;
+    result.numerator_ = -a.numerator_;
+    return result;
   }
+  friend bool operator==(const Rational& a, const Rational& b) {
+    if (a.denominator_ != b.denominator_) return false;
+    return a.is_small() ? a.numerator_ == b.numerator_ : *a.large() == *b.large();
+  }
+  friend std::strong_ordering operator<=>(const Rational& a, const Rational& b);
 
  private:
   struct Canonical {};
-  /// The value of one of GMP's expressions, which are canonical if their operands are: made in place, for
-  /// every copy of an mpq_class allocates twice.
-  template <class Expression>
-  Rational(Canonical, const Expression& expression) : value_(expression) {}
+  static constexpr std::int64_t kLeast = INT64_MIN;
 
-  mpq_class value_;
+  /// The value of one of GMP's expressions, which are canonical if their operands are.
+  template <class Expression>
+  Rational(Canonical, const Expression& expression) {
+    set(mpq_class(expression));
+  }
+  /// a + numerator / denominator and a * (numerator / denominator), all small.
+  static Rational sum(const Rational& a, std::int64_t numerator, std::int64_t denominator);
+  static Rational product(const Rational& a, std::int64_t numerator, std::int64_t denominator);
+  /// Requires: reduced, the denominator positive, both numbers below 2^127 in magnitude.
+  __extension__ static Rational reduced(__int128 numerator, __int128 denominator);
+  /// Requires: canonical; the present value is small.
+  void set(mpq_class value);
+  void set_large(mpq_class value) {
+    numerator_ = std::bit_cast<std::int64_t>(new mpq_class(std::move(value)));
+    denominator_ = 0;
+  }
+  /// Requires: !is_small().
+  [[nodiscard]] mpq_class* large() const { return std::bit_cast<mpq_class*>(numerator_); }
+  void forget() {
+    numerator_ = 0;
+    denominator_ = 1;
+  }
+
+  std::int64_t numerator_ = 0;  // or, if the denominator is 0, the address of the value, which is owned
+  std::int64_t denominator_ = 1;
 };
 
 Integer floor(const Rational& a);

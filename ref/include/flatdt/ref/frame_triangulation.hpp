@@ -44,7 +44,7 @@ struct FrameTriangulation {
   /// One lift of each cell modulo G or, where the manifold carries no triangulation, modulo the group that
   /// the tie order is invariant under (G; for the didicosm of index 2); unfold() makes of those the cells of
   /// `cover`. As canonical lists, sorted.
-  std::vector<CellPoints<D>> cells;
+  CellList<D> cells;
   /// The cover that is written, if the manifold carries none; then also the reason: a short cycle or, for the
   /// didicosm only, a cell that some element does not map to a cell.
   std::optional<Sublattice> cover;
@@ -67,11 +67,22 @@ struct FrameTriangulation {
 /// Errors: LimitReached if the cover to work in needs more than max_sheets sheets. Requires: at least one
 /// point; the group has dimension D. Complexity: expected O(n log n) predicates on evenly spread points,
 /// times the sheets until the switch with Insertion::covering. The cells are a function of the points and the
-/// group alone.
+/// group alone. Memory, for n evenly spread points in space whose numbers fit (sites.hpp), without covers and
+/// with no cycles to be looked for, besides the points: 332 n bytes and O(n^(2/3)): sites 48, vertices 32 and
+/// their index 4, the order 4, and 6.77 cells [Meijering53] of 36; at the end sites and cells of 32.
 template <int D>
 FrameTriangulation<D> triangulate_in_frame(const std::vector<Vector>& points, const PreparedGroup& group,
                                            const TriangulationOptions& options);
 
+/// The same; the points are let go of as soon as their sites are made.
+template <int D>
+FrameTriangulation<D> triangulate_in_frame(std::vector<Vector>&& points, const PreparedGroup& group,
+                                           const TriangulationOptions& options);
+
+extern template FrameTriangulation<2> triangulate_in_frame<2>(std::vector<Vector>&&, const PreparedGroup&,
+                                                              const TriangulationOptions&);
+extern template FrameTriangulation<3> triangulate_in_frame<3>(std::vector<Vector>&&, const PreparedGroup&,
+                                                              const TriangulationOptions&);
 extern template FrameTriangulation<2> triangulate_in_frame<2>(const std::vector<Vector>&,
                                                               const PreparedGroup&,
                                                               const TriangulationOptions&);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "flatdt/ref/circumradius.hpp"
@@ -57,6 +58,7 @@ class PeriodicDelaunay {
   void start(SiteId site, const QuotientComplex<D>& of_one_orbit);
 
   [[nodiscard]] const QuotientComplex<D>& complex() const { return complex_; }
+  [[nodiscard]] QuotientComplex<D> release_complex() && { return std::move(complex_); }
   [[nodiscard]] bool is_on_manifold() const { return complex_.subgroup().is_whole(); }
   /// Inserting by rank (docs/theory.md, section 7) a tie was met that the ranks of the orbits do not decide,
   /// or a long lattice. The complex has then not been changed and will not be any more: start again modulo
@@ -113,6 +115,11 @@ class PeriodicDelaunay {
     bool conflict;
     std::uint32_t previous;  // of the same cell
   };
+  /// An entry of the open hash table of visits; free unless of the present search.
+  struct VisitEntry {
+    std::uint32_t search = 0;
+    std::uint32_t visit = 0;
+  };
   static constexpr std::uint32_t kNoVisit = 0xffffffffU;
   static constexpr std::uint32_t kNoRidge = 0xffffffffU;
 
@@ -128,8 +135,18 @@ class PeriodicDelaunay {
   void add_boundary_facet(const Location& inside, std::uint32_t facet, const Element& lift);
   /// The latest visit of a cell in the present search.
   [[nodiscard]] std::uint32_t last_visit(CellId c) const {
-    const std::uint32_t v = complex_.cell(c).visit;
-    return v < visits_.size() && visits_[v].cell == c ? v : kNoVisit;
+    const VisitEntry& entry = visit_table_[visit_slot(c)];
+    return entry.search == search_ ? entry.visit : kNoVisit;
+  }
+  void begin_search();
+  void grow_visit_table();
+  /// Where it stands in the table, or will stand. Bounded: the table is at most half full.
+  [[nodiscard]] std::size_t visit_slot(CellId c) const {
+    const std::size_t mask = visit_table_.size() - 1;
+    std::size_t slot = index_of(c) * 0x9e3779b97f4a7c15ULL >> 32U & mask;
+    while (visit_table_[slot].search == search_ && visits_[visit_table_[slot].visit].cell != c)
+      slot = (slot + 1) & mask;
+    return slot;
   }
   void glue_at_ridge(const Ridge& ridge);
   void star_hole(VertexId q);
@@ -150,6 +167,9 @@ class PeriodicDelaunay {
   std::uint64_t walk_state_ = 0x9e3779b97f4a7c15ULL;
   // Kept between insertions.
   std::vector<Visit> visits_;
+  std::vector<VisitEntry> visit_table_;  // the latest visit of each cell; its size is a power of two
+  std::uint32_t search_ = 0;
+  std::array<double, 3> query_{};  // of the present search, the site's own coordinates
   bool meets_own_copies_ = false;
   std::size_t repeated_visits_ = 0;  // visits of cells that had been visited through another lift
   std::vector<Location> region_;

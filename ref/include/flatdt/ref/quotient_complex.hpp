@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "flatdt/ref/canonical_face.hpp"
+#include "flatdt/ref/cells_modulo.hpp"
 #include "flatdt/ref/element_store.hpp"
 #include "flatdt/ref/predicates.hpp"
 
@@ -28,32 +29,32 @@ constexpr std::uint32_t index_of(VertexId id) {
 inline constexpr CellId kNoCell{0xffffffffU};
 inline constexpr VertexId kNoVertex{0xffffffffU};
 
-/// The d+1 points of GP of one lift of a cell.
-template <int D>
-using CellPoints = std::array<OrbitPoint, D + 1>;
-
 template <int D>
 class QuotientComplex {
  public:
+  /// 32 bytes. See point().
   struct Vertex {
     std::array<double, 3> x{};  // of base * site
-    OrbitPoint point;           // site and base = representative of the coset H g
-    CellId cell = kNoCell;      // some cell with this vertex
+    SiteId site{};
+    CellId cell = kNoCell;  // some cell with this vertex
   };
-  /// 52 bytes in space. Elements as codes of the complex's store: see offset() and gluing().
+  /// 36 bytes in space, 28 in the plane. See offset() and gluing().
   struct Cell {
     std::array<VertexId, D + 1> vertex;  // kNoVertex first: the slot is free
     std::array<CellId, D + 1> neighbour;
-    std::array<ElementStore::Code, D + 1> offset;  // in H
-    std::array<ElementStore::Code, D + 1> gluing;  // in H
-    /// Where a search has noted its latest visit; means something only if that note names this cell.
-    std::uint32_t visit = 0;
+    /// Where its elements stand; 0: all are the identity. Of n evenly spread points' cells these are all but
+    /// O(n^(1-1/d)), those at the boundary of the set of base positions.
+    std::uint32_t elements = 0;
 
     [[nodiscard]] bool is_alive() const { return vertex[0] != kNoVertex; }
   };
 
   QuotientComplex(const GroupTable& table, const std::vector<Site>& sites, Subgroup subgroup)
-      : table_(&table), sites_(&sites), subgroup_(std::move(subgroup)), first_vertex_(sites.size(), kNone) {}
+      : table_(&table),
+        sites_(&sites),
+        subgroup_(std::move(subgroup)),
+        has_one_copy_(subgroup_.index() == 1),
+        first_vertex_(sites.size(), kNone) {}
 
   [[nodiscard]] const GroupTable& table() const { return *table_; }
   [[nodiscard]] const Subgroup& subgroup() const { return subgroup_; }
@@ -65,6 +66,12 @@ class QuotientComplex {
     return VertexId{first_vertex_[index_of(site)] + rep};
   }
   [[nodiscard]] std::size_t vertex_count() const { return vertices_.size(); }
+  /// A vertex's site and base, the representative of its coset H g.
+  [[nodiscard]] OrbitPoint point(VertexId v) const {
+    const SiteId site = vertices_[index_of(v)].site;
+    if (has_one_copy_) return {site, Element{}};
+    return {site, subgroup_.representative(index_of(v) - first_vertex_[index_of(site)])};
+  }
   [[nodiscard]] Vertex& vertex(VertexId v) { return vertices_[index_of(v)]; }
   [[nodiscard]] const Vertex& vertex(VertexId v) const { return vertices_[index_of(v)]; }
 
@@ -80,54 +87,65 @@ class QuotientComplex {
   void reserve(std::size_t vertices);
 
   /// Vertex k of the base lift of a cell is offset * vertex[k].
-  [[nodiscard]] Element offset(CellId c, std::size_t k) const { return elements_[cell(c).offset[k]]; }
-  [[nodiscard]] Element gluing(CellId c, std::size_t k) const { return elements_[cell(c).gluing[k]]; }
+  [[nodiscard]] Element offset(CellId c, std::size_t k) const {
+    const std::uint32_t e = cell(c).elements;
+    return e == 0 ? Element{} : codes_[cell_elements_[e].offset[k]];
+  }
+  [[nodiscard]] Element gluing(CellId c, std::size_t k) const {
+    const std::uint32_t e = cell(c).elements;
+    return e == 0 ? Element{} : codes_[cell_elements_[e].gluing[k]];
+  }
+  /// All offsets and gluings of the cell are the identity. (Not conversely.)
+  [[nodiscard]] bool has_no_elements(CellId c) const { return cell(c).elements == 0; }
   void set_vertex(CellId c, std::size_t k, VertexId v, const Element& offset) {
     cell(c).vertex[k] = v;
-    cell(c).offset[k] = elements_.code(offset);
+    if (needs_elements(c, offset)) elements_of(c).offset[k] = codes_.code(offset);
   }
   void set_neighbour(CellId c, std::size_t k, CellId neighbour, const Element& gluing) {
     cell(c).neighbour[k] = neighbour;
-    cell(c).gluing[k] = elements_.code(gluing);
+    if (needs_elements(c, gluing)) elements_of(c).gluing[k] = codes_.code(gluing);
   }
 
   /// The point s * v.
   [[nodiscard]] Lift lift(VertexId v, const Element& s) const {
-    const Vertex& vertex = vertices_[index_of(v)];
-    const OrbitPoint point{vertex.point.site, table_->multiply(s, vertex.point.g)};
+    const OrbitPoint base = point(v);
+    const OrbitPoint moved{base.site, table_->multiply(s, base.g)};
     // From the base position only for a translation: the filter's error analysis counts one rounding.
-    if (s.coset == 0) return {table_->apply(s, vertex.x), point};
-    return {table_->apply(point.g, (*sites_)[index_of(vertex.point.site)].approximate), point};
+    if (s.coset == 0) return {table_->apply(s, vertices_[index_of(v)].x), moved};
+    return {table_->apply(moved.g, approximate(base.site)), moved};
   }
-  /// The coordinates of lift(p), and of the lifts of base_lift(c).
-  [[nodiscard]] std::array<double, 3> coordinates(const OrbitPoint& p) const {
-    return table_->apply(p.g, (*sites_)[index_of(p.site)].approximate);
+  [[nodiscard]] Lift lift(const OrbitPoint& p) const { return {table_->apply(p.g, approximate(p.site)), p}; }
+  /// The site's coordinates rounded, which are those of its first vertex, for the first representative is the
+  /// identity.
+  [[nodiscard]] std::array<double, 3> approximate(SiteId site) const {
+    const std::uint32_t v = first_vertex_[index_of(site)];
+    return v == kNone ? (*sites_)[index_of(site)].approximate() : vertices_[v].x;
   }
+  /// The coordinates of the lifts of base_lift(c).
   [[nodiscard]] std::array<std::array<double, 3>, D + 1> base_coordinates(CellId c) const {
     const Cell& cell = cells_[index_of(c)];
     std::array<std::array<double, 3>, D + 1> x;
+    for (std::size_t k = 0; k <= D; ++k) x[k] = vertices_[index_of(cell.vertex[k])].x;
+    if (cell.elements == 0) return x;
     for (std::size_t k = 0; k <= D; ++k) {
-      const Element s = elements_[cell.offset[k]];
-      const Vertex& vertex = vertices_[index_of(cell.vertex[k])];
-      x[k] = s.coset == 0 ? table_->apply(s, vertex.x) : lift(cell.vertex[k], s).x;
+      const Element s = offset(c, k);
+      x[k] = s.coset == 0 ? table_->apply(s, x[k]) : lift(cell.vertex[k], s).x;
     }
     return x;
-  }
-  [[nodiscard]] Lift lift(const OrbitPoint& p) const {
-    return {table_->apply(p.g, (*sites_)[index_of(p.site)].approximate), p};
   }
   [[nodiscard]] std::array<Lift, D + 1> base_lift(CellId c) const {
     const Cell& cell = cells_[index_of(c)];
     std::array<Lift, D + 1> lifts;
-    for (std::size_t k = 0; k <= D; ++k) lifts[k] = lift(cell.vertex[k], elements_[cell.offset[k]]);
+    for (std::size_t k = 0; k <= D; ++k) lifts[k] = lift(cell.vertex[k], offset(c, k));
     return lifts;
   }
   [[nodiscard]] CellPoints<D> base_points(CellId c) const {
     const Cell& cell = cells_[index_of(c)];
     CellPoints<D> points;
-    for (std::size_t k = 0; k <= D; ++k)
-      points[k] = {vertices_[index_of(cell.vertex[k])].point.site,
-                   table_->multiply(elements_[cell.offset[k]], vertices_[index_of(cell.vertex[k])].point.g)};
+    for (std::size_t k = 0; k <= D; ++k) {
+      const OrbitPoint base = point(cell.vertex[k]);
+      points[k] = {base.site, table_->multiply(offset(c, k), base.g)};
+    }
     return points;
   }
 
@@ -175,46 +193,41 @@ class QuotientComplex {
 
   /// The base lifts of all cells.
   [[nodiscard]] std::vector<CellPoints<D>> all_cells() const;
+  /// The same, in the memory of this complex's cells: they are gone, and with them what a search needs.
+  [[nodiscard]] CellList<D> release_cells() &&;
 
  private:
   static constexpr std::uint32_t kNone = 0xffffffffU;
 
+  /// The elements of a cell, in H, as codes.
+  struct CellElements {
+    std::array<ElementStore::Code, D + 1> offset;
+    std::array<ElementStore::Code, D + 1> gluing;
+  };
+  [[nodiscard]] bool needs_elements(CellId c, const Element& g) const {
+    return cell(c).elements != 0 || !g.is_identity();
+  }
+  /// Those of the cell, made if it has none.
+  CellElements& elements_of(CellId c) {
+    if (cell(c).elements == 0) make_elements(c);
+    return cell_elements_[cell(c).elements];
+  }
+  void make_elements(CellId c);
+
   const GroupTable* table_;
   const std::vector<Site>* sites_;
   Subgroup subgroup_;
+  bool has_one_copy_;
   std::vector<std::uint32_t> first_vertex_;
   std::vector<Vertex> vertices_;
-  std::vector<Cell> cells_;
+  Records<Cell> cells_;
   std::vector<CellId> free_;
-  ElementStore elements_;
+  Records<CellElements> cell_elements_;  // the first is unused
+  std::vector<std::uint32_t> free_elements_;
+  ElementStore codes_;
 };
 
 extern template class QuotientComplex<2>;
 extern template class QuotientComplex<3>;
-
-/// The cells of E^d modulo a group, given one lift of each cell modulo a subgroup of index `multiplicity` in
-/// it: each as its canonical list, sorted. Nothing if the set of cells is not invariant under the group (some
-/// cell does not occur exactly `multiplicity` times).
-template <int D>
-std::optional<std::vector<CellPoints<D>>> cells_modulo(const GroupTable& table, const Subgroup& group,
-                                                       std::vector<CellPoints<D>> cells,
-                                                       std::uint32_t multiplicity);
-
-/// The cells modulo `target`, a subgroup of `group`, given one lift of each cell modulo `group`: each moved
-/// by all coset representatives, as canonical lists, sorted.
-template <int D>
-std::vector<CellPoints<D>> unfold(const GroupTable& table, const Subgroup& group, const Subgroup& target,
-                                  const std::vector<CellPoints<D>>& cells);
-
-extern template std::optional<std::vector<CellPoints<2>>> cells_modulo<2>(const GroupTable&, const Subgroup&,
-                                                                          std::vector<CellPoints<2>>,
-                                                                          std::uint32_t);
-extern template std::optional<std::vector<CellPoints<3>>> cells_modulo<3>(const GroupTable&, const Subgroup&,
-                                                                          std::vector<CellPoints<3>>,
-                                                                          std::uint32_t);
-extern template std::vector<CellPoints<2>> unfold<2>(const GroupTable&, const Subgroup&, const Subgroup&,
-                                                     const std::vector<CellPoints<2>>&);
-extern template std::vector<CellPoints<3>> unfold<3>(const GroupTable&, const Subgroup&, const Subgroup&,
-                                                     const std::vector<CellPoints<3>>&);
 
 }  // namespace flatdt::ref

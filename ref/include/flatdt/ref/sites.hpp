@@ -23,31 +23,45 @@ constexpr std::uint32_t index_of(SiteId id) {
 struct LargeSite {
   std::array<mpz_class, 3> numerators;
   mpz_class denominator;
+  std::array<double, 3> approximate{};
   Isometry from_site;
 };
 
-/// Invariant: either `large` is set and holds the exact data, or small_denominator > 0 and the small fields
-/// do.
-struct Site {
-  /// Coordinates = small / small_denominator, in [0,1); the denominator is below 2^62, a multiple of the
-  /// frame's translation_denominator, and the same for all sites that have one.
-  std::array<std::int64_t, 3> small{};
+/// What sites have in common with others: of many points few forms are different.
+/// Invariant: either `large` is set and holds all of one site, or small_denominator > 0.
+struct SiteForm {
+  /// Below 2^62, a multiple of the frame's translation_denominator, and the same for all sites that have one.
   std::int64_t small_denominator = 0;
-  /// The coordinates rounded: error below 2^-51.
-  std::array<double, 3> approximate{};
-  /// The least index of an input point in this orbit, and the element of the group with p = element * site:
-  /// a coset of the frame and the integral translation after its representative.
-  std::uint32_t point = 0;
+  /// The element of the group with p = element * site: a coset of the frame and the integral translation
+  /// after its representative.
   std::uint16_t coset = 0;
   std::array<std::int32_t, 3> translation{};
-  std::shared_ptr<const LargeSite> large;
+  std::unique_ptr<const LargeSite> large;
+};
 
+/// 48 bytes.
+struct Site {
+  /// Unless it is large, coordinates = small / form->small_denominator, in [0,1).
+  std::array<std::int64_t, 3> small{};
+  std::shared_ptr<const SiteForm> form;
+  /// The least index of an input point in this orbit.
+  std::uint32_t point = 0;
+
+  [[nodiscard]] bool is_large() const { return form->large != nullptr; }
   [[nodiscard]] Integer numerator(int i) const {
     const auto k = static_cast<std::size_t>(i);
-    return large ? Integer(large->numerators[k]) : Integer(static_cast<long>(small[k]));
+    return is_large() ? Integer(form->large->numerators[k]) : Integer(static_cast<long>(small[k]));
   }
   [[nodiscard]] Integer denominator() const {
-    return large ? Integer(large->denominator) : Integer(static_cast<long>(small_denominator));
+    return is_large() ? Integer(form->large->denominator)
+                      : Integer(static_cast<long>(form->small_denominator));
+  }
+  /// The coordinates rounded: error below 2^-51. Divides: to be kept where it is needed often.
+  [[nodiscard]] std::array<double, 3> approximate() const {
+    if (is_large()) return form->large->approximate;
+    const auto denominator = static_cast<double>(form->small_denominator);
+    return {static_cast<double>(small[0]) / denominator, static_cast<double>(small[1]) / denominator,
+            static_cast<double>(small[2]) / denominator};
   }
   /// The element (frame coordinates) with p = from_site * site.
   [[nodiscard]] Isometry from_site(const Frame& frame) const;

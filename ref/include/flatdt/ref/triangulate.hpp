@@ -53,6 +53,10 @@ TriangulationResult triangulate(const Instance& instance, const GroupAnalysis& a
 TriangulationResult triangulate(const Instance& instance, const PreparedGroup& group,
                                 const TriangulationOptions& options);
 
+/// The same; the instance's points are let go of on the way.
+TriangulationResult triangulate(Instance&& instance, const PreparedGroup& group,
+                                const TriangulationOptions& options);
+
 /// The comments that the written file carries: a function of the instance alone.
 std::vector<std::string> describe(const TriangulationResult& result);
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,5 +34,11 @@ Triangulation parse_triangulation(std::string_view text, const std::string& file
 
 /// The text of the file. `comments` are written as `# ...` lines after the header.
 std::string write_triangulation(const Triangulation& triangulation, const std::vector<std::string>& comments);
+
+/// The same text piece by piece: of some million cells it is larger than the cells. The first piece has
+/// everything that can fail.
+using TextSink = std::function<void(std::string_view)>;
+void write_triangulation(const Triangulation& triangulation, const std::vector<std::string>& comments,
+                         const TextSink& sink);
 
 }  // namespace flatdt::ref
