@@ -132,12 +132,13 @@ bool Circumradius<D>::is_large(const std::array<Lift, D + 1>& cell) {
   return numerator * c_->threshold.denominator() >= denominator * c_->threshold.numerator();
 }
 
-/// Notation: filter.hpp; u = 2^-53, eta bounds the error of an entry of A and M >= 1 entries of A and eta.
-/// With Gs = sum |G_ij|, As = sum |adj(G)_ij|:
+/// Notation: filter.hpp; u = 2^-53, eta bounds the error of an entry of A, and M the entries of A, as
+/// computed and exact, and eta. With Gs = sum |G_ij|, As = sum |adj(G)_ij|:
 ///   q = a^T G a            |q| <= Gs M^2,       error <= e_q = Gs (2.1 eta M + 24 u M^2)
 ///   cofactor of A          |c| <= 2 M^2,        error <= e_c = 4.1 eta M + 8 u M^2
-///   y = adj(A) q, 3 terms  |y| <= Y = 6 Gs M^4, error <= e_y = 3 (1.1 e_c Gs M^2 + 2.1 M^2 e_q) + 48 u Gs
-///   M^4 det A                  |det| <= 6 M^3,      error <= e_d = 3 (1.1 e_c M + 2.1 M^2 eta) + 48 u M^3
+///   y = adj(A) q, 3 terms  |y| <= Y = 6 Gs M^4,
+///                          error <= e_y = 3 (1.1 e_c Gs M^2 + 2.1 M^2 e_q) + 48 u Gs M^4
+///   det A                  |det| <= 6 M^3,      error <= e_d = 3 (1.1 e_c M + 2.1 M^2 eta) + 48 u M^3
 ///   y^T adj(G) y           error <= As (2.1 Y e_y + 24 u Y^2)
 /// In the plane the same with fewer terms. The second-order products are in the factors 1.1 and 2.1 as long
 /// as eta <= M / 100. Entries of G and its adjoint and det(G) are exact up to a relative 2 u; the last factor
@@ -191,10 +192,12 @@ double Circumradius<D>::upper_bound(const Coordinates& cell) const {
   const double e_d = 3 * (1.1 * e_c * m + 2.1 * m2 * eta) + 48 * u * m2 * m;
   const double e_n = c_->adjoint_sum * (2.1 * bound_y * e_y + 24 * u * bound_y * bound_y);
   const double least_det = std::fabs(det) - 1.1 * e_d;
-  const double bound =
-      (numerator + 1.1 * e_n) / (4 * least_det * least_det * c_->approximate_determinant) * (1 + 0x1p-40);
-  // Not so for an underflow or a NaN.
-  return least_det > 0 && bound > 0x1p-900 && c_->approximate_determinant > 0x1p-900 ? bound : kUnbounded;
+  const double dividend = numerator + 1.1 * e_n;
+  const double divisor = 4 * least_det * least_det * c_->approximate_determinant;
+  // Nothing that matters has underflowed, or is a NaN. (As and Gs are above 2^-520: det(G) is at least
+  // 2^-1000.)
+  const bool is_sound = least_det > 0 && dividend > 0x1p-900 && divisor > 0x1p-900;
+  return is_sound ? dividend / divisor * (1 + 0x1p-40) : kUnbounded;
 }
 
 template <int D>

@@ -4,7 +4,7 @@ namespace flatdt::ref {
 
 template <int D>
 Filter<D>::Filter(const Frame& frame, int row_sum) : row_sum_(row_sum) {
-  // Scale by a power of two so that the largest entry lies in [1/2, 1): exact, and no overflow in double.
+  // Scale by a power of two so that the largest entry lies in (1/2, 2): exact, and no overflow in double.
   Rational largest;
   for (int i = 0; i < D; ++i)
     if (frame.gram(i, i) > largest) largest = frame.gram(i, i);

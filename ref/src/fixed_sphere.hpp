@@ -1,9 +1,9 @@
 /// The circumscribed sphere of one cell, to compare many points with: what of the insphere determinant
 /// depends on the cell alone is computed once.
 ///
-/// With b_k = p_k - p_0, q_k = |b_k|^2 and x = w - p_0, row operations on the rows (p_k - w, |p_k - w|^2)
-/// leave
-/// (-x, -|x|^2) and (b_k, q_k). Expanded along the first: the insphere determinant, times (-1)^d, is
+/// With b_k = p_k - p_0, q_k = |b_k|^2 and x = w - p_0: from the rows (p_k - w, |p_k - w|^2) take the first,
+/// then add the others' columns 2 G x times to the last; this leaves (-x, -|x|^2) and (b_k, q_k), without a
+/// change of the determinant. Expanded along the first: the insphere determinant, times (-1)^d, is
 ///   sum_i c_i x_i - beta |x|^2,  beta = det(b), c_i = (-1)^(d+1+i) det(b, q without coordinate i).
 /// Bounds, with the letters of fixed_predicates.hpp, b and g at most 62: c_i is below 2^(4b+g+7) <= 2^317 in
 /// space and 2^(3b+g+5) in the plane (5 limbs), beta below 2^(3b+3) <= 2^189 (3 limbs), the sum below

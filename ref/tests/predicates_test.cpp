@@ -8,6 +8,7 @@
 #include "flatdt/ref/families.hpp"
 #include "flatdt/ref/group_analysis.hpp"
 #include "flatdt/ref/instance_format.hpp"
+#include "flatdt/ref/quotient_complex.hpp"
 #include "split_mix.hpp"
 #include "star_filter.hpp"
 
@@ -221,6 +222,41 @@ TEST(Predicates, StagesAgreeOnUnrelatedLongDenominators) {
     else
       stages_agree<3>(instance, 2, zero_orientations, zero_inspheres);
   }
+}
+
+/// Points on a line across the end of a long cover, where base positions are of the size of the cover and
+/// lifts are not: the filter must not take the rounding of the former for the side of a point.
+TEST(Predicates, LiftsAcrossTheEndOfALongCover) {
+  constexpr int kLength = 20011;
+  std::string text = "flatdt-instance 1\ndimension 2\nmanifold torus\npoints 16\n";
+  for (int k = 0; k < 16; ++k)  // x = 1/5 + 2 y / 3
+    text += std::to_string(96 + 10 * k * 2) + "/480 " + std::to_string(k) + "/16\n";
+  const World<2> world(parse_instance(text, "line"));
+  Matrix basis(2);
+  basis(0, 0) = kLength;
+  basis(1, 1) = 1;
+  QuotientComplex<2> complex(world.table, world.sites,
+                             Subgroup::sublattice(world.table, {basis, kLength, kLength}));
+  for (std::uint32_t i = 0; i < world.sites.size(); ++i) complex.add_site(SiteId{i});
+  Predicates<2> filtered(world.analysis.frame, world.table, world.sites, world.order,
+                         PredicateStages::filtered);
+  SplitMix64 random(1);
+  int zero = 0;
+  for (int round = 0; round < 1000; ++round) {
+    std::array<Lift, 3> cell;
+    for (Lift& p : cell) {
+      const Element g{{static_cast<std::int16_t>(-below(random, 2)), 0, 0}, 0};
+      const Subgroup::Split split = complex.subgroup().split(g);
+      p = complex.lift(complex.vertex_of(SiteId{static_cast<std::uint32_t>(below(random, 16))}, split.rep),
+                       split.s);
+      ASSERT_EQ(p.point.g, g);
+    }
+    ExactPredicates<2> exact(world.analysis.frame, world.table, world.sites);
+    const Sign sign = exact.orientation({cell[0].point, cell[1].point, cell[2].point});
+    zero += sign == Sign::zero ? 1 : 0;
+    ASSERT_EQ(filtered.orientation(cell), sign) << round;
+  }
+  EXPECT_GT(zero, 100);
 }
 
 TEST(Predicates, FilterIsSilentOnExactTies) {

@@ -2,24 +2,22 @@
 /// bound does not exclude the other signs. Certain or silent.
 ///
 /// Error analysis (u = 2^-53, round to nearest, no fused multiply-add).
-/// Input. A lift is g d with d in [0,1)^d rounded towards zero (error < 2u per coordinate), rho = the largest
-/// absolute
-///   row sum of a linear part, |tau| < 1. At most 3 products (each rounded), 4 additions of partial sums
-///   bounded by rho + 1 + |t| <= 2 rho + 2 + |x|, and the translation of a base position by an offset (one
-///   more rounding): the error of a coordinate is below e = 2^-48 (rho + 1 + |x|_max), with a factor of more
-///   than 2 to spare.
+/// Input. A lift is g d, g = {R|tau+t}, with d in [0,1]^d known to 4u per coordinate (sites.hpp), rho = the
+///   largest absolute row sum of a linear part, 0 <= tau < 1. The input and the 3 products err by at most
+///   5 rho u, the partial sums by (rho + rho + (rho + 1) + |x|) u, tau by u; the translation of a base
+///   position of a coset representative (t = 0), by |x| u more. So the error of a coordinate is below (8 rho
+///   + 2 + 2 |x|) u, and below e = 2^-48 (rho + 1 + |x|_max) with a factor of 4 to spare.
 /// Differences a = fl(x - w): |a - exact| <= 2e + u|a| <= eta = 2.25 e, since |a| <= 2 |x|_max.
 /// With A_i the largest |a_i| over the rows, A'_i = A_i + eta bounds the exact and the computed entries. A
-/// product of
-///   d entries then moves by at most the sum over i of eta prod_{j != i} A'_j (telescoping).
+///   product of d entries then moves by at most the sum over i of eta prod_{j != i} A'_j (telescoping).
 /// Lifted entry q = a^T G a: bounded by Q = sum |G_ij| A'_i A'_j; rounding of at most 9 terms of 2 products
-/// each and of
-///   the entries of G: at most 24 u Q; input: 2 eta sum |G_ij| A'_j. Together kappa.
+///   each and of the entries of G: at most 24 u Q; input: 2 eta sum |G_ij| A'_j. Together kappa.
 /// Determinant: d! products, each with fewer than 12 roundings in the evaluation below.
 /// The bounds are evaluated in doubles themselves; the factors 3, 7 and 25 instead of 2, 6 and 24 cover that.
-/// Underflow: G is scaled so that its largest entry is in [1/2,1); if its smallest nonzero entry is below
-/// 2^-400 the
-///   filter stays silent. All other terms of a bound contain eta >= 2^-48.
+/// Underflow: G is scaled by a power of 2 so that its largest entry is in (1/2,2); if its smallest nonzero
+/// entry
+///   is below about 2^-400 insphere() stays silent. All other terms of a bound contain eta >= 2^-48, so that
+///   a bound is above 2^-300 and what underflows is far below its spare. Overflow: |x| < 2^16.
 #pragma once
 
 #include <array>

@@ -110,8 +110,7 @@ class QuotientComplex {
   [[nodiscard]] Lift lift(VertexId v, const Element& s) const {
     const OrbitPoint base = point(v);
     const OrbitPoint moved{base.site, table_->multiply(s, base.g)};
-    // From the base position only for a translation: the filter's error analysis counts one rounding.
-    if (s.coset == 0) return {table_->apply(s, vertices_[index_of(v)].x), moved};
+    if (is_base_near(s)) return {table_->apply(s, vertices_[index_of(v)].x), moved};
     return {table_->apply(moved.g, approximate(base.site)), moved};
   }
   [[nodiscard]] Lift lift(const OrbitPoint& p) const { return {table_->apply(p.g, approximate(p.site)), p}; }
@@ -129,7 +128,7 @@ class QuotientComplex {
     if (cell.elements == 0) return x;
     for (std::size_t k = 0; k <= D; ++k) {
       const Element s = offset(c, k);
-      x[k] = s.coset == 0 ? table_->apply(s, x[k]) : lift(cell.vertex[k], s).x;
+      x[k] = is_base_near(s) ? table_->apply(s, x[k]) : lift(cell.vertex[k], s).x;
     }
     return x;
   }
@@ -213,6 +212,13 @@ class QuotientComplex {
     return cell_elements_[cell(c).elements];
   }
   void make_elements(CellId c);
+  /// Whether coordinates of s * v may be had from the base position of v: only by a translation, for the
+  /// filter's error analysis counts one rounding, and from a base position in or next to the unit cell. In a
+  /// cover of n periods base positions are up to n, and their errors, about 2^-53 n, too large for a lift
+  /// near 0.
+  [[nodiscard]] bool is_base_near(const Element& s) const {
+    return s.coset == 0 && subgroup_.has_all_translations();
+  }
 
   const GroupTable* table_;
   const std::vector<Site>* sites_;

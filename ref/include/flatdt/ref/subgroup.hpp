@@ -31,6 +31,8 @@ class Subgroup {
   /// [G:H].
   [[nodiscard]] std::uint32_t index() const { return static_cast<std::uint32_t>(representatives_.size()); }
   [[nodiscard]] bool is_whole() const { return kind_ == Kind::whole; }
+  /// Whether the translations of G are in H; then the representatives are those of the frame's cosets.
+  [[nodiscard]] bool has_all_translations() const { return kind_ != Kind::sublattice; }
 
  private:
   enum class Kind { whole, sublattice, cosets };
