@@ -1,23 +1,25 @@
-# Installation. Each component (checker, ref, testing) can be installed alone, from a configuration of its folder or of
-# the whole project, into one prefix: they share flatdt-config.cmake, which offers those that are there.
+# Installation. Each component (checker, ref, testing, campaign) can be installed alone, from a configuration of its folder
+# or of the whole project, into one prefix: they share flatdt-config.cmake, which offers the libraries that are there.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 set(flatdt_cmake_folder "${CMAKE_INSTALL_LIBDIR}/cmake/flatdt")
 
-# flatdt_install_component(NAME TARGETS TARGET... [PROGRAMS TARGET...] [HEADERS FOLDER...] [MANUALS FILE...] [DATA FILE...]
+# flatdt_install_component(NAME [TARGETS TARGET...] [PROGRAMS TARGET...] [HEADERS FOLDER...] [MANUALS FILE...] [DATA FILE...]
 #                          [COMPLETIONS FILE...] [PKG_CONFIG NAME...])
 #   HEADERS      folders, installed with their names below include/
 #   COMPLETIONS  PROGRAM.bash and _PROGRAM (zsh)
 #   PKG_CONFIG   cmake/NAME.in beside this file
 function(flatdt_install_component name)
   cmake_parse_arguments(install "" "" "TARGETS;PROGRAMS;HEADERS;MANUALS;DATA;COMPLETIONS;PKG_CONFIG" ${ARGN})
-  install(TARGETS ${install_TARGETS} EXPORT flatdt-${name}
-    ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT ${name}
-    LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT ${name} NAMELINK_COMPONENT ${name}
-    INCLUDES DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
-  install(EXPORT flatdt-${name} NAMESPACE flatdt:: FILE flatdt-${name}-targets.cmake
-    DESTINATION "${flatdt_cmake_folder}" COMPONENT ${name})
+  if(install_TARGETS)
+    install(TARGETS ${install_TARGETS} EXPORT flatdt-${name}
+      ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT ${name}
+      LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT ${name} NAMELINK_COMPONENT ${name}
+      INCLUDES DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}")
+    install(EXPORT flatdt-${name} NAMESPACE flatdt:: FILE flatdt-${name}-targets.cmake
+      DESTINATION "${flatdt_cmake_folder}" COMPONENT ${name})
+  endif()
   if(install_PROGRAMS)
     install(TARGETS ${install_PROGRAMS} RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT ${name})
   endif()
@@ -47,9 +49,11 @@ function(flatdt_install_component name)
     configure_file("${CMAKE_CURRENT_FUNCTION_LIST_DIR}/${file}.in" "${CMAKE_CURRENT_BINARY_DIR}/${file}" @ONLY)
     install(FILES "${CMAKE_CURRENT_BINARY_DIR}/${file}" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig" COMPONENT ${name})
   endforeach()
-  write_basic_package_version_file("${CMAKE_CURRENT_BINARY_DIR}/flatdt-config-version.cmake"
-    VERSION "${PROJECT_VERSION}" COMPATIBILITY SameMinorVersion)
-  install(FILES "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/flatdt-config.cmake"
-    "${CMAKE_CURRENT_BINARY_DIR}/flatdt-config-version.cmake"
-    DESTINATION "${flatdt_cmake_folder}" COMPONENT ${name})
+  if(install_TARGETS)
+    write_basic_package_version_file("${CMAKE_CURRENT_BINARY_DIR}/flatdt-config-version.cmake"
+      VERSION "${PROJECT_VERSION}" COMPATIBILITY SameMinorVersion)
+    install(FILES "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/flatdt-config.cmake"
+      "${CMAKE_CURRENT_BINARY_DIR}/flatdt-config-version.cmake"
+      DESTINATION "${flatdt_cmake_folder}" COMPONENT ${name})
+  endif()
 endfunction()

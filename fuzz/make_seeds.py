@@ -5,7 +5,9 @@ Usage: make_seeds.py BUILD OUTPUT
 BUILD is a build without an engine (the runners encode); OUTPUT gets a folder for each target, and origins.tsv, which
 says what each was made of. `scripts/fuzz --minimise` then picks a set cover of them and of what campaigns found.
 """
+import fractions
 import hashlib
+import itertools
 import pathlib
 import subprocess
 import sys
@@ -14,6 +16,7 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 CORPORA = ROOT / "corpora"
 LARGEST = 4000  # bytes of a text taken as it is
+LARGEST_STREAM = 6000
 
 MANIFOLDS = {
     2: ["torus", "klein-bottle"],
@@ -33,7 +36,21 @@ COMMANDS = [
     "flatdt\n--help", "flatdt\n--version", "flatdt\ntriangulate\n--help", "flatdt", "flatdt\nnothing",
     "flatdt-check\ni\nt", "flatdt-check\ni\nt\n--json", "flatdt-check\ni\n-", "flatdt-check\n-\n-", "flatdt-check\nt\ni",
     "flatdt-check\n--help", "flatdt-check\n--version", "flatdt-check", "flatdt-check\nmissing\nt\n--json",
+    "flatdt-check\ni\nt\n--jobs\n2", "flatdt-check\n--from\ncgal-p2t2\nt", "flatdt-check\n--from\ncgal-p3t3\n-\n--json",
+    "flatdt-check\n--serve", "flatdt-check\n--serve\n--max-bytes\n99\n--max-seconds\n7", "flatdt-check\n--serve\ni",
+    "flatdt\ndraw\ni\nt\n--format\nhtml\n--copies\n1", "flatdt\ndraw\ni\nt\n--verdict\ni\n--condition\nvolume.exact",
+    "flatdt\ntriangulate\ni\n--engine\ncovering\n--smallest-cover",
+    "flatdt-campaign", "flatdt-campaign\n--help", "flatdt-campaign\n--family\nlist", "flatdt-campaign\n--version",
+    "flatdt-campaign\n--against\ntrue\n--manifold\nG1,pg\n--family\nuniform,thin-band\n--points\n1..9\n--cases\n7\n--seed\n2",
+    "flatdt-campaign\n--against\nt\n--persistent\n--capabilities\ni\n--claims\nedges\n--shard\n1..2\n--jobs\n0",
+    "flatdt-campaign\n--against\nt\n--time\n1.5h\n--only\n7\n--time-limit\n0.5\n--wall-limit\n9\n--memory-limit\n99",
+    "flatdt-campaign\n--against\nt\n--output-limit\n0\n--address-limit\n0\n--minimise-each\n1\n--minimise-runs\n9",
 ]
+CAPABILITIES = """{"schema": "flatdt-capabilities 1", "comment": "", "manifolds": ["torus", "G1"], "metrics": "canonical",
+"coordinates": "doubles", "generators": "names", "distinct": true, "min_points": 2, "max_points": {"2": 9, "3": 7},
+"claims": "edges", "facet_resolution_bits": 16, "unsupported_exit": 4}
+"""
+SERVED = "check a 3 4\nabc\nabc\ncheck b 0 0\n\nnothing\ncheck c 1"
 
 SMALL_CIF = """data_a
 _cell_length_a 5.0
@@ -91,6 +108,39 @@ def crystals():
         yield SMALL_CIF.format(beta=beta, symbol=symbol, operations=operations)
     yield MMCIF
     yield PDB
+
+
+def cgal_grid(dimension, n, sheets):
+    """A stream of CGAL: the places (1/n)Z^d of the unit torus, every cube cut along the same diagonal."""
+    side = n * sheets  # of the torus of all sheets, in cubes
+    places = list(itertools.product(range(side), repeat=dimension))
+    number = {place: k for k, place in enumerate(places)}
+
+    def vertex(place):
+        coordinates = " ".join(str(fractions.Fraction(p % n, n)) for p in place)
+        return coordinates + ("" if sheets == 1 else " " + " ".join(str(p // n) for p in place))
+
+    cells, offsets = [], []
+    for cube in places:
+        for axes in itertools.permutations(range(dimension)):
+            corner, corners = list(cube), [cube]
+            for axis in axes:
+                corner[axis] += 1
+                corners.append(tuple(corner))
+            cells.append(" ".join(str(number[tuple(p % side for p in c)]) for c in corners))
+            offsets.append(" ".join(str(sum((p // side) << (dimension - 1 - k) for k, p in enumerate(c))) for c in corners))
+    neighbours = [" ".join("0" for _ in range(dimension + 1)) for _ in cells]  # they are not judged
+    lines = [" ".join(["0"] * dimension + ["1"] * dimension), " ".join([str(sheets)] * dimension), str(len(places)),
+             *map(vertex, places), str(len(cells)), *cells, *neighbours, *offsets]
+    return "\n".join(lines) + "\n"
+
+
+def cgal_streams():
+    yield from (cgal_grid(*shape) for shape in [(2, 1, 1), (2, 1, 3), (2, 4, 1), (3, 1, 1), (3, 1, 3), (3, 2, 1)])
+    yield cgal_grid(2, 1, 3).replace("0 0 1 1\n", "-1/2 0.25 1.5 7/4\n", 1)  # an oblong domain
+    yield cgal_grid(2, 4, 1).replace("\n0 1/4\n", "\n1/8 1/4\n")  # refuted
+    yield cgal_grid(2, 1, 3).replace("3 3", "3 1")  # malformed
+    yield cgal_grid(2, 1, 3)[:-3]
 
 
 class Seeds:
@@ -166,8 +216,16 @@ class Seeds:
                     self.encode("check", instance, triangulation)
         for command in COMMANDS:
             self.encode_texts("command_line", command)
+        self.encode_texts("command_line", "flatdt-check\n--serve", "", SERVED)
+        self.encode_texts("command_line", "flatdt-check\n--from\ncgal-p2t2\n-", "", cgal_grid(2, 1, 3))
+        self.encode_texts("command_line", "flatdt-campaign\n--against\nt\n--capabilities\ni", CAPABILITIES)
         for crystal in crystals():
             self.encode_texts("import_crystal", crystal)
+        for stream in cgal_streams():
+            self.encode_texts("import_cgal", stream)
+        for path in sorted(CORPORA.glob("imports/*.p?t?")):
+            if path.stat().st_size <= LARGEST_STREAM:
+                self.encode("import_cgal", path)
 
 
 def main():

@@ -64,6 +64,10 @@ class Programs:
             options = files["options"].read_text().split()
             code = self.run(self.build / "ref" / "flatdt", "import", path, "-o", "imported", *options).returncode
             return "imported" if code == 0 else f"refused, exit {code}"
+        if target == "import_cgal":
+            [(kind, path)] = files.items()
+            done = self.run(self.build / "checker" / "flatdt-check", "--from", f"cgal-{kind}", path)
+            return done.stdout.decode().splitlines()[-1][2:]
         return "documented exit code"
 
 
@@ -74,6 +78,9 @@ def description(target, files):
         return f"{'CIF' if 'cif' in files else 'PDB or neither'}, {(files.get('cif') or files['pdb']).stat().st_size} bytes"
     if target == "parse_instance":
         return f"{files['txt'].stat().st_size} bytes"
+    if target == "import_cgal":
+        [(kind, path)] = files.items()
+        return f"{kind}, {path.stat().st_size} bytes"
     words = files["instance"].read_text().split()
     value = {key: words[words.index(key) + 1] for key in ("dimension", "manifold", "points") if key in words}
     text = f"{value['dimension']}D, {value.get('manifold', 'generators')}, {value['points']} points"

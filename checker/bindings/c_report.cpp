@@ -45,8 +45,8 @@ const char* flatdt_error_text(int error) {
     case FLATDT_OK:
       return "no error";
     case FLATDT_INVALID_ARGUMENT:
-      return "invalid argument: a NULL, a count that does not fit the dimension, or a string that is no "
-             "token";
+      return "invalid argument: a NULL, a count that does not fit the dimension, a string that is no token, "
+             "or objects of different dimensions";
     case FLATDT_OUT_OF_MEMORY:
       return "out of memory";
     case FLATDT_INTERNAL_ERROR:
@@ -68,6 +68,10 @@ flatdt_error flatdt_check(const flatdt_instance* instance, const flatdt_triangul
                           flatdt_report** report) {
   return checker::give(report, [&] {
     if (instance == nullptr || triangulation == nullptr) throw checker::RefusedPiece("a NULL object");
+    // The text of a triangulation does not say its dimension, and without elements and cells nothing shows
+    // it.
+    if (instance->builder.dimension() != triangulation->builder.dimension())
+      throw checker::RefusedPiece("objects of different dimensions");
     return make_report(instance->builder.text(), triangulation->builder.text());
   });
 }

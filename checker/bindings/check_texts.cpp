@@ -1,11 +1,10 @@
 #include "flatdt/checker/check_texts.hpp"
 
 #include <istream>
-#include <new>
 #include <streambuf>
 
-#include "flatdt/checker/errors.hpp"
 #include "flatdt/checker/input.hpp"
+#include "judged.hpp"
 
 namespace flatdt::checker {
 namespace {
@@ -23,20 +22,12 @@ class TextStream : private std::streambuf, public std::istream {
 
 Verdict check_texts(std::string_view instance_text, std::string_view triangulation_text,
                     const TextNames& names) {
-  Verdict verdict;
-  try {
+  return judged([&] {
     TextStream instance_stream(instance_text);
     const Instance instance = parse_instance(instance_stream, names.instance);
     TextStream triangulation_stream(triangulation_text);
     return check(instance, parse_triangulation(triangulation_stream, names.triangulation, instance));
-  } catch (const MalformedInput& error) {
-    verdict.outcome = Outcome::malformed;
-    verdict.reason = error.what();
-  } catch (const std::bad_alloc&) {
-    verdict.outcome = Outcome::unknown;
-    verdict.reason = "out of memory";
-  }
-  return verdict;
+  });
 }
 
 }  // namespace flatdt::checker

@@ -36,6 +36,7 @@ class InstanceBuilder {
   void set_metric(Tokens upper_triangle);
   void add_point(Tokens coordinates);
   void add_point(std::span<const double> coordinates);
+  [[nodiscard]] std::size_t dimension() const { return dimension_; }
   [[nodiscard]] std::string text() const;
 
  private:
@@ -55,6 +56,7 @@ class TriangulationBuilder {
   void add_element(Tokens entries);
   /// d + 1 pairs of a point's and an element's number.
   void add_cell(std::span<const std::uint32_t> pairs);
+  [[nodiscard]] std::size_t dimension() const { return dimension_; }
   [[nodiscard]] std::string text() const;
 
  private:

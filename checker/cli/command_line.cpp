@@ -12,14 +12,13 @@
 #include <exception>
 #include <fstream>
 #include <iostream>
-#include <new>
 #include <string>
 #include <system_error>
 #include <thread>
 
+#include "../bindings/judged.hpp"
 #include "examples.hpp"
 #include "flatdt/checker/check.hpp"
-#include "flatdt/checker/errors.hpp"
 #include "imported.hpp"
 #include "report.hpp"
 #include "serve.hpp"
@@ -96,22 +95,6 @@ class Input {
   std::istream* stream_ = nullptr;
 };
 
-/// The verdict that `judging` gives, or the one of an input that is malformed or too large.
-template <class Judging>
-Verdict judged(const Judging& judging) {
-  Verdict verdict;
-  try {
-    return judging();
-  } catch (const MalformedInput& error) {
-    verdict.outcome = Outcome::malformed;
-    verdict.reason = error.what();
-  } catch (const std::bad_alloc&) {
-    verdict.outcome = Outcome::unknown;
-    verdict.reason = "out of memory";
-  }
-  return verdict;
-}
-
 /// `jobs`: threads, or 0 for the default.
 Verdict judge(Input& instance_input, Input& triangulation_input, unsigned jobs) {
   return judged([&] {
@@ -122,12 +105,12 @@ Verdict judge(Input& instance_input, Input& triangulation_input, unsigned jobs) 
   });
 }
 
-Verdict judge_import(Input& input, const std::string& format) {
+Verdict judge_import(Input& input, const std::string& format, unsigned jobs) {
   return judged([&] {
-    std::string note;
-    Verdict verdict = judge_imported(input.stream(), input.name(), format, note);
-    complain(note);
-    return verdict;
+    const Imported imported = import_file(input.stream(), input.name(), format);
+    complain(imported.note);
+    const Triangulation& triangulation = imported.triangulation;
+    return check(imported.instance, triangulation, {.jobs = jobs == 0 ? default_jobs(triangulation) : jobs});
   });
 }
 
@@ -224,11 +207,13 @@ int parse_and_run(int argc, const char* const* argv) {
   }
   if (serving) {
     json = true;
-    return serve(std::cin, stdout, limits);
+    const int code = serve(std::cin, stdout, limits);
+    if (std::ferror(stdin) != 0) throw unreadable("cannot read standard input");
+    return code;
   }
   Input instance(instance_path);
   const Verdict verdict = [&] {
-    if (!format.empty()) return judge_import(instance, format);
+    if (!format.empty()) return judge_import(instance, format, jobs);
     Input triangulation(triangulation_path);
     return judge(instance, triangulation, jobs);
   }();

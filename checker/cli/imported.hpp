@@ -5,16 +5,15 @@
 #include <string>
 #include <vector>
 
-#include "flatdt/checker/verdict.hpp"
+#include "../importers/cgal_stream.hpp"
 
 namespace flatdt::checker {
 
-/// The formats that import() knows.
+/// The formats that import_file() knows.
 [[nodiscard]] std::vector<std::string> import_formats();
 
-/// Reads a file of a format and judges it; `note` is what the reader of the verdict should know.
-/// Errors: MalformedInput, and whatever reading raises. Requires: the format is one of import_formats().
-[[nodiscard]] Verdict judge_imported(std::istream& in, const std::string& file, const std::string& format,
-                                     std::string& note);
+/// Reads a file of a format. Errors: MalformedInput, and whatever reading raises. Requires: the format is one
+/// of import_formats().
+[[nodiscard]] Imported import_file(std::istream& in, const std::string& file, const std::string& format);
 
 }  // namespace flatdt::checker

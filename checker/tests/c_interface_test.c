@@ -174,6 +174,12 @@ static void refuses_arguments(void) {
   EXPECT(flatdt_check(instance, triangulation, NULL) == FLATDT_INVALID_ARGUMENT);
   EXPECT(flatdt_check_texts(NULL, 5, "", 0, &report) == FLATDT_INVALID_ARGUMENT && report == NULL);
 
+  /* Of another dimension, also where no element and no cell shows it. */
+  flatdt_triangulation* solid = NULL;
+  EXPECT(flatdt_triangulation_new(3, &solid) == FLATDT_OK);
+  EXPECT(flatdt_check(instance, solid, &report) == FLATDT_INVALID_ARGUMENT && report == NULL);
+  flatdt_triangulation_free(solid);
+
   /* What only the grammar can refuse, the report says. */
   EXPECT(flatdt_check(instance, triangulation, &report) == FLATDT_OK);
   EXPECT(flatdt_report_outcome(report) == FLATDT_MALFORMED);

@@ -6,6 +6,7 @@ still answered. Standard library only.   Source: docs/serve.md.
 """
 
 import json
+import os
 import random
 import subprocess
 import sys
@@ -185,6 +186,13 @@ def failed_write():
     expect(done.returncode == 3, f"a reply that cannot be written: exit {done.returncode}")
 
 
+def failed_read():
+    folder = os.open("/", os.O_RDONLY)
+    done = subprocess.run([CHECK, "--serve"], stdin=folder, capture_output=True, check=False)
+    os.close(folder)
+    expect(done.returncode == 2 and b"cannot read standard input" in done.stderr, f"an input that cannot be read: {done}")
+
+
 with tempfile.TemporaryDirectory() as name:
     same_as_json(pathlib.Path(name))
 right_requests()
@@ -194,5 +202,6 @@ cut_short()
 limits()
 random_bytes()
 failed_write()
+failed_read()
 print("all passed" if not complaints else f"{len(complaints)} complaints")
 sys.exit(bool(complaints))

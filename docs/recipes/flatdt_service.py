@@ -17,7 +17,10 @@ class Service:
         first, second = instance.encode(), triangulation.encode()
         self.process.stdin.write(b"check %d %d %d\n%s%s\n" % (self.requests, len(first), len(second), first, second))
         self.process.stdin.flush()
-        reply = json.loads(self.process.stdout.readline())
+        line = self.process.stdout.readline()
+        if not line:
+            raise RuntimeError(f"flatdt-check --serve ended with exit code {self.process.wait()}")
+        reply = json.loads(line)
         if "error" in reply or reply.get("id") != str(self.requests):
             raise RuntimeError(f"flatdt-check --serve: {reply}")
         return reply

@@ -1,9 +1,7 @@
 #include "bundle.hpp"
 
-#include <algorithm>
 #include <filesystem>
 #include <system_error>
-#include <utility>
 
 #include "command_template.hpp"
 #include "text_file.hpp"
@@ -14,29 +12,19 @@ namespace {
 /// The script works from any folder; the command runs where the campaign ran, as its words may be relative to
 /// that.
 std::string script(const Contact& contact, Claim claim, const std::string& origin) {
-  std::string text =
-      "#!/bin/sh\n# " + origin + "\n" +
-      "here=$(cd \"$(dirname \"$0\")\" && pwd)\noutput=$(mktemp)\ntrap 'rm -f \"$output\"' EXIT\ncd " +
-      shell_line({std::filesystem::current_path().string()}) + " || exit 3\n";
-  const bool to_file = has_place(contact.command, "output");
-  std::string line;
+  std::string text = "#!/bin/sh\n# " + origin + "\n" +
+                     "here=$(cd \"$(dirname \"$0\")\" && pwd)\nfolder=$(mktemp -d)\noutput=$folder/output\n" +
+                     "trap 'rm -rf \"$folder\"' EXIT\ncd " +
+                     shell_line({std::filesystem::current_path().string()}) + " || exit 3\n";
   if (contact.persistent) {
-    line = "{ cat \"$here/instance\"; echo end; } | " + shell_line(contact.command) +
-           " | sed '/^end\\r*$/,$d' >\"$output\"";
+    text += "{ cat \"$here/instance\"; echo end; } | " + shell_line(contact.command) + " >\"$folder/all\"";
   } else {
-    line = shell_line(filled(contact.command, "@INSTANCE@", "@OUTPUT@"));
-    // Inside the quotes that shell_line may have put around a word, the variables must stand outside.
-    for (const auto& [mark, variable] :
-         {std::pair<std::string, std::string>{"@INSTANCE@", "$here/instance"}, {"@OUTPUT@", "$output"}})
-      for (std::size_t at = line.find(mark); at != std::string::npos; at = line.find(mark)) {
-        const bool quoted =
-            std::count(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(at), '\'') % 2 == 1;
-        line.replace(at, mark.size(), quoted ? "'\"" + variable + "\"'" : "\"" + variable + "\"");
-      }
-    if (!has_place(contact.command, "instance")) line += " <\"$here/instance\"";
-    if (!to_file) line += " >\"$output\"";
+    text += shell_line(contact.command, "\"$here/instance\"", "\"$output\"");
+    if (!has_place(contact.command, "instance")) text += " <\"$here/instance\"";
+    if (!has_place(contact.command, "output")) text += " >\"$output\"";
   }
-  text += line + "\nstatus=$?\necho \"exit status $status\"\n[ $status -eq 0 ] || exit $status\n";
+  text += "\nstatus=$?\necho \"exit status $status\"\n[ $status -eq 0 ] || exit $status\n";
+  if (contact.persistent) text += "sed '/^end\\r*$/,$d' \"$folder/all\" >\"$output\"\n";
   if (claim == Claim::triangulation)
     text += "\"${FLATDT_CHECK:-flatdt-check}\" \"$here/instance\" \"$output\"\n";
   else
@@ -51,7 +39,8 @@ void draw(const std::string& folder, int dimension, const std::string& flatdt) {
   limits.address_bytes = 0;  // builds with sanitizers reserve much
   const std::string picture = folder + (dimension == 2 ? "/picture.svg" : "/picture.html");
   std::vector<std::string> command{flatdt, "draw", folder + "/instance", folder + "/output", "-o", picture};
-  if (dimension == 2) command.insert(command.end(), {"--violation", "--two-cycle"});
+  if (std::filesystem::exists(folder + "/verdict.json"))
+    command.insert(command.end(), {"--verdict", folder + "/verdict.json"});
   try {
     const End end = run_child(command, "", "", "", limits);
     if (end.ending != Ending::exited || end.code != 0) std::filesystem::remove(picture);

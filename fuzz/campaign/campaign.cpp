@@ -4,6 +4,7 @@
 #include <exception>
 #include <filesystem>
 #include <mutex>
+#include <system_error>
 #include <thread>
 
 #include "bundle.hpp"
@@ -154,13 +155,21 @@ void run_campaign(const Options& options, Ledger& ledger, const std::atomic<bool
       halt = true;
     }
   };
-  std::atomic<unsigned> running = options.jobs;
+  std::atomic<unsigned> running = 0;
   std::vector<std::thread> threads;
-  for (unsigned job = 0; job < options.jobs; ++job)
-    threads.emplace_back([&, job] {
-      work(job);
-      --running;
-    });
+  try {
+    for (unsigned job = 0; job < options.jobs; ++job) {
+      ++running;
+      threads.emplace_back([&, job] {
+        work(job);
+        --running;
+      });
+    }
+  } catch (const std::system_error&) {  // no thread could be started: those that run must end first
+    halt = true;
+    for (std::thread& thread : threads) thread.join();
+    throw;
+  }
   Progress progress(options, ledger);
   while (running > 0) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));

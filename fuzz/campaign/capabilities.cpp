@@ -1,9 +1,6 @@
 #include "capabilities.hpp"
 
 #include <algorithm>
-#include <fstream>
-#include <nlohmann/json.hpp>
-#include <stdexcept>
 
 #include "metrics.hpp"
 
@@ -19,49 +16,6 @@ using testing::Specimen;
 const Integer& double_denominator() {
   static const Integer kDenominator(1L << 50);
   return kDenominator;
-}
-
-bool choice(const nlohmann::json& value, const std::string& key, const char* restricted) {
-  const std::string word = value.get<std::string>();
-  if (word != restricted && word != "any")
-    throw std::runtime_error("\"" + key + "\" must be \"any\" or \"" + restricted + "\", not \"" + word +
-                             "\"");
-  return word == restricted;
-}
-
-void read_key(const std::string& key, const nlohmann::json& value, Capabilities& result) {
-  if (key == "schema") {
-    if (value != "flatdt-capabilities 1")
-      throw std::runtime_error("the schema must be \"flatdt-capabilities 1\"");
-  } else if (key == "manifolds") {
-    result.manifolds = value.get<std::vector<std::string>>();
-    for (const std::string& name : result.manifolds)
-      if (ref::find_entry(name) == nullptr) throw std::runtime_error("no manifold is called " + name);
-  } else if (key == "metrics") {
-    result.canonical_metric_only = choice(value, key, "canonical");
-  } else if (key == "coordinates") {
-    result.doubles_only = choice(value, key, "doubles");
-  } else if (key == "generators") {
-    result.names_only = choice(value, key, "names");
-  } else if (key == "distinct") {
-    result.distinct_only = value.get<bool>();
-  } else if (key == "min_points") {
-    result.min_points = value.get<std::size_t>();
-  } else if (key == "max_points") {
-    if (value.contains("2")) result.max_points_in_plane = value.at("2").get<std::size_t>();
-    if (value.contains("3")) result.max_points_in_space = value.at("3").get<std::size_t>();
-  } else if (key == "claims") {
-    const std::string word = value.get<std::string>();
-    if (word != "triangulation" && word != "edges")
-      throw std::runtime_error("\"claims\" must be \"triangulation\" or \"edges\"");
-    result.claim = word == "edges" ? Claim::edges : Claim::triangulation;
-  } else if (key == "facet_resolution_bits") {
-    result.facet_resolution = Rational(Integer(1), Integer(1L << value.get<int>()));
-  } else if (key == "unsupported_exit") {
-    result.unsupported_exit = value.get<int>();
-  } else if (key != "comment") {
-    throw std::runtime_error("unknown key \"" + key + "\"");
-  }
 }
 
 bool is_double(const Rational& x) {
@@ -97,21 +51,6 @@ void leave_out_repetitions(Specimen& s) {
 }
 
 }  // namespace
-
-Capabilities read_capabilities(const std::string& path) {
-  std::ifstream file(path);
-  if (!file) throw std::runtime_error("cannot open " + path);
-  Capabilities result;
-  try {
-    const nlohmann::json object = nlohmann::json::parse(file);
-    if (!object.is_object() || !object.contains("schema"))
-      throw std::runtime_error("no object with a schema");
-    for (const auto& [key, value] : object.items()) read_key(key, value, result);
-  } catch (const std::exception& error) {
-    throw std::runtime_error(path + ": " + error.what());
-  }
-  return result;
-}
 
 bool accepts(const Capabilities& capabilities, const Specimen& s) {
   const auto& names = capabilities.manifolds;

@@ -40,8 +40,9 @@ struct Capabilities {
 };
 
 /// Reads a capabilities file (JSON, schema "flatdt-capabilities 1").
-/// Errors: std::runtime_error for a file that cannot be read, is no such JSON, or has a key that is not
-/// known.
+/// Errors: std::runtime_error for a file that cannot be read, is no such JSON, has a key that is not known,
+/// or a value of another type or out of its range; the message names file, key and value, and says what is
+/// right.
 [[nodiscard]] Capabilities read_capabilities(const std::string& path);
 
 /// Is this specimen one that the implementation says it accepts?

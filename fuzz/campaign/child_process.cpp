@@ -116,7 +116,7 @@ void Child::start_clock() {
 }
 
 Ending Child::broken_limit() const {
-  if (limits_.wall_seconds > 0 && wall_clock() - wall_start_ > limits_.wall_seconds) return Ending::timed_out;
+  if (limits_.wall_seconds > 0 && wall_clock() - wall_start_ > limits_.wall_seconds) return Ending::stalled;
   if (limits_.cpu_seconds > 0 && cpu_clock(pid_) - cpu_start_ > limits_.cpu_seconds) return Ending::timed_out;
   if (limits_.memory_bytes > 0 && resident_bytes(pid_) > limits_.memory_bytes) return Ending::out_of_memory;
   return Ending::exited;

@@ -21,7 +21,8 @@ struct Limits {
   std::uint64_t output_bytes = std::uint64_t{64} << 20;  // of each file that is written
 };
 
-enum class Ending : std::uint8_t { exited, signalled, timed_out, out_of_memory, flooded };
+/// Of the limits on time timed_out is that of processor time, stalled that by the clock.
+enum class Ending : std::uint8_t { exited, signalled, timed_out, stalled, out_of_memory, flooded };
 
 struct End {
   Ending ending = Ending::exited;

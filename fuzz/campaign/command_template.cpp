@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <cctype>
 #include <stdexcept>
+#include <string_view>
 
 namespace flatdt::campaign {
 namespace {
+
+constexpr std::string_view kInstance = "{instance}";
+constexpr std::string_view kOutput = "{output}";
 
 void replace_all(std::string& word, const std::string& place, const std::string& by) {
   for (std::size_t at = word.find(place); at != std::string::npos; at = word.find(place, at + by.size()))
@@ -54,27 +58,53 @@ bool has_place(const std::vector<std::string>& words, const std::string& place) 
 std::vector<std::string> filled(std::vector<std::string> words, const std::string& instance,
                                 const std::string& output) {
   for (std::string& word : words) {
-    replace_all(word, "{instance}", instance);
-    replace_all(word, "{output}", output);
+    replace_all(word, std::string(kInstance), instance);
+    replace_all(word, std::string(kOutput), output);
   }
   return words;
 }
 
+std::string shell_word(const std::string& word) {
+  const bool plain = !word.empty() && std::all_of(word.begin(), word.end(), [](unsigned char c) {
+    return std::isalnum(c) != 0 || std::string("/._-+=:,@%").find(static_cast<char>(c)) != std::string::npos;
+  });
+  if (plain) return word;
+  std::string quoted = word;
+  replace_all(quoted, "'", "'\\''");
+  return "'" + quoted + "'";
+}
+
 std::string shell_line(const std::vector<std::string>& words) {
+  std::string line;
+  for (const std::string& word : words) line += (line.empty() ? "" : " ") + shell_word(word);
+  return line;
+}
+
+std::string shell_line(const std::vector<std::string>& words, const std::string& instance,
+                       const std::string& output) {
   std::string line;
   for (const std::string& word : words) {
     if (!line.empty()) line += ' ';
-    const bool plain = !word.empty() && std::all_of(word.begin(), word.end(), [](unsigned char c) {
-      return std::isalnum(c) != 0 ||
-             std::string("/._-+=:,@%").find(static_cast<char>(c)) != std::string::npos;
-    });
-    if (plain) {
-      line += word;
-      continue;
+    std::string piece;  // between places
+    const auto finish = [&] {
+      if (!piece.empty()) line += shell_word(piece);
+      piece.clear();
+    };
+    for (std::size_t at = 0; at < word.size();) {
+      const std::string_view rest = std::string_view(word).substr(at);
+      const std::string_view place = rest.starts_with(kInstance) ? kInstance
+                                     : rest.starts_with(kOutput) ? kOutput
+                                                                 : std::string_view();
+      if (place.empty()) {
+        piece += word[at++];
+        continue;
+      }
+      finish();
+      line += place == kInstance ? instance : output;
+      at += place.size();
     }
-    std::string quoted = word;
-    replace_all(quoted, "'", "'\\''");
-    line += "'" + quoted + "'";
+    if (word.empty()) line += "''";
+    finish();
   }
   return line;
 }

@@ -20,5 +20,8 @@ namespace flatdt::campaign {
 
 /// The words as a line for sh.
 [[nodiscard]] std::string shell_line(const std::vector<std::string>& words);
+/// The same with the places {instance} and {output} replaced by what sh shall read there as it stands.
+[[nodiscard]] std::string shell_line(const std::vector<std::string>& words, const std::string& instance,
+                                     const std::string& output);
 
 }  // namespace flatdt::campaign

@@ -74,9 +74,28 @@ Vector DelaunayGraph::circumcentre(const std::vector<Vector>& vertices) const {
   return vertices[0] + rows.inverse() * right;
 }
 
+/// The cell moved by the group so that a corner of the least point is points[point], as what all its images
+/// share.
+DelaunayGraph::CellKey DelaunayGraph::cell_key(const std::vector<Lift>& lifts,
+                                               const std::vector<Vector>& places) const {
+  std::uint32_t least = lifts.front().point;
+  for (const Lift& lift : lifts) least = std::min(least, lift.point);
+  CellKey key;
+  for (const Lift& corner : lifts) {
+    if (corner.point != least) continue;
+    const Isometry back = corner.element.inverse();
+    CellKey seen;
+    for (std::size_t k = 0; k < lifts.size(); ++k) seen.emplace_back(lifts[k].point, back * places[k]);
+    std::sort(seen.begin(), seen.end());
+    if (key.empty() || seen < key) key = std::move(seen);
+  }
+  return key;
+}
+
 void DelaunayGraph::find_balls(const ref::Triangulation& triangulation) {
   const auto corners = static_cast<std::size_t>(instance_.dimension) + 1;
   balls_.resize(instance_.points.size());
+  std::set<CellKey> known;  // on a cover there is a cell for each sheet
   for (const auto& cell : triangulation.cells) {
     std::vector<Lift> lifts;
     std::vector<Vector> places;
@@ -84,6 +103,7 @@ void DelaunayGraph::find_balls(const ref::Triangulation& triangulation) {
       lifts.push_back(representative({cell[k].point, triangulation.elements[cell[k].element]}));
       places.push_back(place(lifts.back()));
     }
+    if (!known.insert(cell_key(lifts, places)).second) continue;
     const Vector centre = circumcentre(places);
     for (const Lift& corner : lifts) {
       const Isometry back = corner.element.inverse();

@@ -43,6 +43,9 @@ class DelaunayGraph {
     std::vector<Lift> vertices;
     ref::Vector centre;
   };
+  using CellKey = std::vector<std::pair<std::uint32_t, ref::Vector>>;
+  [[nodiscard]] CellKey cell_key(const std::vector<Lift>& lifts,
+                                 const std::vector<ref::Vector>& places) const;
   [[nodiscard]] Lift representative(const Lift& lift) const;
   [[nodiscard]] ref::Vector place(const Lift& lift) const {
     return lift.element * instance_.points[lift.point];

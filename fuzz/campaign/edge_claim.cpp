@@ -55,9 +55,10 @@ EdgeFile parse_edges(const std::string& text, int dimension, std::size_t points)
   const std::string elements =
       plain.substr(static_cast<std::size_t>(start), at - static_cast<std::size_t>(start));
   EdgeFile file;
-  file.elements = ref::parse_triangulation("flatdt-triangulation 1\n" + elements + "\ncells 0\n", "output",
-                                           dimension, points)
-                      .elements;
+  ref::Triangulation head = ref::parse_triangulation("flatdt-triangulation 1\n" + elements + "\ncells 0\n",
+                                                     "output", dimension, points);
+  if (head.has_subgroup) throw std::runtime_error("a file of edges has no section \"subgroup\"");
+  file.elements = std::move(head.elements);
   in.seekg(static_cast<std::streamoff>(at));
   std::string word;
   in >> word;

@@ -15,7 +15,8 @@ enum class AnswerKind : std::uint8_t {
   unsupported,    // it says that it does not support this instance
   exit_status,    // it ended with another exit status
   signal,         // it was ended by a signal
-  timed_out,      // it took too long
+  timed_out,      // it took too much processor time
+  stalled,        // it took too long by the clock
   out_of_memory,  // it took too much memory
   flooded,        // it wrote too much
 };

@@ -95,6 +95,9 @@ Judgement without_output(const Answer& answer) {
     case AnswerKind::timed_out:
       judgement.signature = "time limit";
       break;
+    case AnswerKind::stalled:
+      judgement.signature = "wall limit";
+      break;
     case AnswerKind::out_of_memory:
       judgement.signature = "memory limit";
       break;

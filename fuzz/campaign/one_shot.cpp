@@ -40,6 +40,9 @@ class OneShot : public Implementation {
       case Ending::timed_out:
         answer.kind = AnswerKind::timed_out;
         break;
+      case Ending::stalled:
+        answer.kind = AnswerKind::stalled;
+        break;
       case Ending::out_of_memory:
         answer.kind = AnswerKind::out_of_memory;
         break;

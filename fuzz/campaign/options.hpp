@@ -35,12 +35,9 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// The options, or nothing if --help or --version was asked for and has been printed.
+/// The options, or nothing if --help, --version or a list was asked for and has been printed.
 /// Errors: UsageError.
 std::optional<Options> parse_options(int argc, const char* const* argv);
-
-/// "90", "90s", "10m", "1.5h" in seconds. Errors: UsageError.
-double parse_duration(const std::string& text);
 
 /// What determines the cases and how they are answered: one line of JSON.
 std::string describe(const Options& options);

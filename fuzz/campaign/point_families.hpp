@@ -11,12 +11,13 @@
 
 namespace flatdt::campaign {
 
-/// thin-band      one coordinate in a band of width 2^-2 to 2^-40, the others uniform;
-/// jittered-grid  n places of the coarsest grid with so many, each moved by a multiple of 2^-k, k from 3 to
-/// 48; filled-grid    all places of the finest grid with at most n, moved likewise or not at all, and uniform
-/// points between
-///                them: edges are short, so that programs leave their covering space on the way;
-/// integer-grid   different multiples of 1/m, m a little larger than needed, half of the time a power of two.
+/// - thin-band: one coordinate in a band of width 2^-2 to 2^-40, the others uniform;
+/// - jittered-grid: n places of the coarsest grid with so many, each moved by a multiple of 2^-k, k from 3 to
+///   48;
+/// - filled-grid: all places of the finest grid with at most n, moved likewise or not at all, and uniform
+///   points between them: edges are short, so that programs leave their covering space on the way;
+/// - integer-grid: different multiples of 1/m, m a little larger than needed, half of the time a power of
+/// two.
 [[nodiscard]] const std::vector<std::string>& own_families();
 
 /// n points of an own family. Requires: family is one of own_families(), n >= 1.

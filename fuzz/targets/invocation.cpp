@@ -7,7 +7,8 @@ namespace {
 
 constexpr std::size_t kMaxArguments = 12;
 constexpr std::size_t kMaxArgumentBytes = 40;
-constexpr std::uint8_t kFirstWord = 128;
+constexpr std::uint8_t kCheckerBit = 1;
+constexpr std::uint8_t kCampaignBit = 4;
 
 constexpr const char* kInstance =
     "flatdt-instance 1 dimension 2 manifold klein-bottle points 3 1/10 1/5 3/4 3/8 2/5 9/10\n";
@@ -124,14 +125,71 @@ const std::vector<std::string>& words() {
                                                 "--json=1",
                                                 "--points=3",
                                                 "--seed=18446744073709551615",
-                                                "--order=18446744073709551616"};
+                                                "--order=18446744073709551616",
+                                                "--from",
+                                                "cgal-p2t2",
+                                                "cgal-p3t3",
+                                                "--serve",
+                                                "--max-bytes",
+                                                "--max-seconds",
+                                                "--jobs",
+                                                "--verdict",
+                                                "--condition",
+                                                "volume.exact",
+                                                "--copies",
+                                                "--format",
+                                                "svg",
+                                                "vtu",
+                                                "html",
+                                                "--engine",
+                                                "covering",
+                                                "--smallest-cover",
+                                                "--against",
+                                                "--persistent",
+                                                "--capabilities",
+                                                "--claims",
+                                                "edges",
+                                                "--time",
+                                                "--cases",
+                                                "--only",
+                                                "--shard=1/2",
+                                                "--out",
+                                                "--resume",
+                                                "--time-limit",
+                                                "--wall-limit",
+                                                "--memory-limit",
+                                                "--address-limit",
+                                                "--output-limit",
+                                                "--minimise-each",
+                                                "--minimise-runs",
+                                                "--minimise-time",
+                                                "--flatdt",
+                                                "1..9",
+                                                "10m",
+                                                "nan",
+                                                "inf",
+                                                "thin-band"};
   return list;
+}
+
+const char* name_of(Program program) {
+  switch (program) {
+    case Program::checker:
+      return "flatdt-check";
+    case Program::campaign:
+      return "flatdt-campaign";
+    case Program::reference:
+      break;
+  }
+  return "flatdt";
 }
 
 Invocation invocation_of(std::span<const std::uint8_t> bytes) {
   Invocation line;
   if (bytes.empty()) return line;
-  line.is_checker = (bytes[0] & 1) != 0;
+  line.program = (bytes[0] & kCampaignBit) != 0  ? Program::campaign
+                 : (bytes[0] & kCheckerBit) != 0 ? Program::checker
+                                                 : Program::reference;
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()) + 1, bytes.size() - 1);
   const std::size_t end = std::min(text.find('\n'), text.size());
   read_arguments(text.substr(0, end), line);

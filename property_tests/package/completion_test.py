@@ -23,6 +23,11 @@ CASES = [
     (["flatdt", "info", "k"], ["k.instance"], ["other"]),
     (["flatdt-check", "--"], ["--json", "--serve", "--max-bytes", "--help"], ["-h"]),
     (["flatdt-check", "k"], ["k.instance"], ["other"]),
+    (["flatdt-campaign", "--m"], ["--manifold", "--memory-limit", "--minimise-runs"], ["--seed", "-h"]),
+    (["flatdt-campaign", "--manifold", "d"], ["dicosm", "didicosm"], ["torus"]),
+    (["flatdt-campaign", "--family", "th"], ["thin-band"], ["uniform", "list"]),
+    (["flatdt-campaign", "--claims", ""], ["triangulation", "edges"], ["k.instance"]),
+    (["flatdt-campaign", "--capabilities", "k"], ["k.instance"], ["other"]),
 ]
 BASH = """
 source "$1"; shift

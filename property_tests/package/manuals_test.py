@@ -38,7 +38,7 @@ def options_of(text):
 
 def main():
     complaints = []
-    for program in ("flatdt", "flatdt-check"):
+    for program in ("flatdt", "flatdt-check", "flatdt-campaign"):
         page = find(PREFIX, f"{program}.1")
         complaints += lint(page)
         text = page.read_text().replace("\\-", "-")

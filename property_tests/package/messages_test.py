@@ -26,7 +26,9 @@ def main():
         for name, (text, line) in FILES.items():
             with open(f"{folder}/{name}", "w", encoding="utf-8") as file:
                 file.write(text)
-            for command in (["flatdt", "triangulate", name], ["flatdt-check", name, "good.triangulation"]):
+            # As a stream of CGAL every one of them is malformed in its first line.
+            for command, line in ((["flatdt", "triangulate", name], line), (["flatdt-check", name, "good.triangulation"], line),
+                                  (["flatdt-check", "--from", "cgal-p2t2", name], 1)):
                 done = subprocess.run(command, cwd=folder, env=environment(PREFIX), capture_output=True, text=True, check=False)
                 found = [re.match(pattern["regexp"], said) for said in done.stderr.splitlines()]
                 found = [(m[pattern["file"]], int(m[pattern["line"]])) for m in found if m and m[pattern["message"]]]

@@ -33,8 +33,8 @@ extern "C" {
 /* NOLINTBEGIN(modernize-use-using): this is C */
 typedef enum {
   FLATDT_OK = 0,
-  FLATDT_INVALID_ARGUMENT =
-      1, /* a NULL, a count that does not fit the dimension, a string that is no token */
+  FLATDT_INVALID_ARGUMENT = 1, /* a NULL, a count that does not fit the dimension, a string that is no token,
+                                  objects of different dimensions */
   FLATDT_OUT_OF_MEMORY = 2,
   FLATDT_INTERNAL_ERROR = 3 /* a defect of the library */
 } flatdt_error;
@@ -64,19 +64,17 @@ FLATDT_API const char* flatdt_checker_version(void);
 /* What a flatdt_error means, in English; never NULL. */
 FLATDT_API const char* flatdt_error_text(int error);
 
-/* --- Checking ---------------------------------------------------------------------------------------------
- */
+/* --- Checking ---------------------------------------------------------------------------------------- */
 
 /* Judges two files in memory, given by address and number of bytes; they need not end with a zero byte. */
 FLATDT_API flatdt_error flatdt_check_texts(const char* instance, size_t instance_size,
                                            const char* triangulation, size_t triangulation_size,
                                            flatdt_report** report);
-/* Judges what was built by the functions below. */
+/* Judges what was built by the functions below: two objects of one dimension. */
 FLATDT_API flatdt_error flatdt_check(const flatdt_instance* instance,
                                      const flatdt_triangulation* triangulation, flatdt_report** report);
 
-/* --- The report -------------------------------------------------------------------------------------------
- */
+/* --- The report -------------------------------------------------------------------------------------- */
 
 /* The verdict. FLATDT_UNKNOWN for NULL. */
 FLATDT_API flatdt_outcome flatdt_report_outcome(const flatdt_report* report);
@@ -97,8 +95,9 @@ FLATDT_API const char* flatdt_report_witness_key(const flatdt_report* report, si
 FLATDT_API const char* flatdt_report_witness_value(const flatdt_report* report, size_t condition,
                                                    size_t entry);
 
-/* --- Building an instance ---------------------------------------------------------------------------------
- * * The grammar is that of the file format, d the dimension. What is added is only checked to be tokens;
+/* --- Building an instance ---------------------------------------------------------------------------- */
+
+/* The grammar is that of the file format, d the dimension. What is added is only checked to be tokens;
  * numbers that are none, names that do not exist and sections that are missing make the report malformed,
  * with the line of the text that flatdt_instance_text shows. */
 
@@ -120,8 +119,7 @@ FLATDT_API flatdt_error flatdt_instance_add_point_doubles(flatdt_instance* insta
 FLATDT_API flatdt_error flatdt_instance_text(flatdt_instance* instance, const char** text);
 FLATDT_API void flatdt_instance_free(flatdt_instance* instance);
 
-/* --- Building a triangulation -----------------------------------------------------------------------------
- */
+/* --- Building a triangulation ------------------------------------------------------------------------ */
 
 FLATDT_API flatdt_error flatdt_triangulation_new(int dimension, flatdt_triangulation** triangulation);
 /* A generator of the subgroup of a covering space, as flatdt_instance_add_generator. None: the manifold. */
