@@ -29,7 +29,7 @@ checker::Triangulation for_checker(const ref::Triangulation& triangulation) {
   checker::Triangulation result;
   result.dimension = triangulation.dimension;
   const auto d = static_cast<std::size_t>(triangulation.dimension);
-  const auto entry = [](const ref::Isometry& g, std::size_t row, std::size_t column) -> const mpq_class& {
+  const auto entry = [](const ref::Isometry& g, std::size_t row, std::size_t column) -> mpq_class {
     const auto i = static_cast<int>(row);
     const auto j = static_cast<int>(column);
     return j == g.dimension() ? g.translation[i].mpq() : g.linear(i, j).mpq();

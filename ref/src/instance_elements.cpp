@@ -6,6 +6,36 @@
 #include <utility>
 
 namespace flatdt::ref {
+namespace {
+
+/// An element of the frame's group in machine integers, if it moves by at most 2^48: then sums of three
+/// products of such numbers and entries of linear parts, which are below 1,000, are far below 2^63.
+std::optional<InstanceElements::FrameElement> small_element(const Frame& frame, const Isometry& g) {
+  InstanceElements::FrameElement result;
+  while (frame.cosets[result.coset].linear != g.linear) ++result.coset;
+  for (int i = 0; i < frame.dimension; ++i) {
+    const Integer t = (g.translation[i] - frame.cosets[result.coset].translation[i]).numerator();
+    if (t.bits() > 48) return std::nullopt;
+    result.translation[static_cast<std::size_t>(i)] = t.to_long();
+  }
+  return result;
+}
+
+}  // namespace
+
+/// Either all sites are large or none is.
+InstanceElements::InstanceElements(const PreparedGroup& group, const std::vector<Site>& sites)
+    : group_(&group), sites_(&sites) {
+  for (const Site& site : sites) {
+    if (!site.is_large()) return;
+    const auto element = small_element(group.frame(), site.form->large->from_site);
+    if (!element) {
+      large_.clear();
+      return;
+    }
+    large_.push_back(*element);
+  }
+}
 
 Isometry InstanceElements::at(const OrbitPoint& p) const {
   return conjugate(group_->table().isometry(p.g) * site(p.site).from_site(group_->frame()).inverse());
@@ -18,16 +48,17 @@ Isometry InstanceElements::between(SiteId a, const OrbitPoint& b) const {
 
 /// With s = {t} r the site's element: g s^-1 = g r^-1 {-t}, and g r^-1 moves -t by its linear part.
 std::optional<InstanceElements::FrameElement> InstanceElements::in_frame(const OrbitPoint& p) const {
-  const Site& s = site(p.site);
-  if (s.is_large()) return std::nullopt;
+  const SiteForm& form = *site(p.site).form;
+  if (form.large && large_.empty()) return std::nullopt;
+  const FrameElement s =
+      form.large ? large_[index_of(p.site)]
+                 : FrameElement{{form.translation[0], form.translation[1], form.translation[2]}, form.coset};
   const GroupTable& table = group_->table();
-  const std::uint16_t coset = s.form->coset;
-  const Element g = coset == 0 ? p.g : table.multiply(p.g, table.inverse(Element{{}, coset}));
+  const Element g = s.coset == 0 ? p.g : table.multiply(p.g, table.inverse(Element{{}, s.coset}));
   FrameElement result{{g.t[0], g.t[1], g.t[2]}, g.coset};
   const GroupTable::Linear& linear = table.linear(g.coset);
   for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j)
-      result.translation[i] -= std::int64_t{linear[3 * i + j]} * s.form->translation[j];
+    for (std::size_t j = 0; j < 3; ++j) result.translation[i] -= linear[3 * i + j] * s.translation[j];
   return result;
 }
 
@@ -38,7 +69,7 @@ class ElementNumbers {
  public:
   explicit ElementNumbers(const InstanceElements& elements) : elements_(&elements) {}
 
-  /// Either all sites of an instance are large or none is, so that one of the two tables has all elements.
+  /// in_frame() speaks of all or of none, so that one of the two tables has all elements.
   std::uint32_t operator()(const OrbitPoint& p) {
     const SiteForm* const form = elements_->site(p.site).form.get();
     // Most are the same as the last one.

@@ -13,8 +13,7 @@ namespace flatdt::ref {
 /// Group elements of the internal frame, applied to sites, as elements of the instance applied to its points.
 class InstanceElements {
  public:
-  InstanceElements(const PreparedGroup& group, const std::vector<Site>& sites)
-      : group_(&group), sites_(&sites) {}
+  InstanceElements(const PreparedGroup& group, const std::vector<Site>& sites);
 
   /// The element e of the instance's group with e * points[site.point] = p.
   [[nodiscard]] Isometry at(const OrbitPoint& p) const;
@@ -25,7 +24,8 @@ class InstanceElements {
     return group_->to_instance() * g * group_->to_instance().inverse();
   }
 
-  /// The same as at(), in the frame and in machine integers; nothing if the site's element is a large one.
+  /// The same as at(), in the frame and in machine integers; nothing, of every p, if some site is large and
+  /// its element does not fit: moves by more than 2^48.
   struct FrameElement {
     std::array<std::int64_t, 3> translation{};
     std::uint16_t coset = 0;
@@ -39,6 +39,8 @@ class InstanceElements {
  private:
   const PreparedGroup* group_;
   const std::vector<Site>* sites_;
+  /// Of large sites, the elements with p = element * site; none if one of them does not fit.
+  std::vector<FrameElement> large_;
 };
 
 /// Cells of GP as cells of the instance's points, elements numbered as they come.

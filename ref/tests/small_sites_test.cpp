@@ -3,9 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "flatdt/ref/catalogue.hpp"
 #include "flatdt/ref/families.hpp"
 #include "flatdt/ref/instance_format.hpp"
+#include "instance_elements.hpp"
+#include "split_mix.hpp"
 
 namespace flatdt::ref {
 namespace {
@@ -55,6 +59,40 @@ TEST(SmallSites, LeaveWhatDoesNotFitToRationals) {
     const Frame frame = analyse(instance).frame;
     EXPECT_EQ(make_small_sites(frame, SiteMaps(frame), instance.points).has_value(), fits) << point;
   }
+}
+
+/// Numbers of the points that are long, and elements of theirs that are not, or only some: an element in
+/// machine integers is the one in rationals.
+TEST(InstanceElements, AreTheSameInMachineIntegers) {
+  SplitMix64 random(1);
+  std::size_t small = 0, large = 0;
+  const Rational tiny(Integer(1), Integer(std::string("1267650600228229401496703205653")));
+  for (const CatalogueEntry& entry : catalogue())
+    for (const char* far : {"0", "-17", "281474976710", "1000000000000000000000"})
+      for (const char* family : {"uniform", "skew-basis"}) {
+        Instance instance = generate(entry, entry.name, family, 5, random.next(), "random");
+        for (Vector& p : instance.points) p[0] += tiny;
+        instance.points.back()[1] += Rational(Integer(std::string(far)));
+        const PreparedGroup group(analyse(instance));
+        const std::vector<Site> sites = make_sites(group.frame(), instance.points);
+        ASSERT_TRUE(sites[0].is_large()) << entry.name;
+        const InstanceElements elements(group, sites);
+        for (int round = 0; round < 20; ++round) {
+          const auto below = [&random](std::size_t n) {
+            return static_cast<std::uint32_t>(random.next() % n);
+          };
+          OrbitPoint p{SiteId{below(sites.size())}, Element{}};
+          p.g.coset = static_cast<std::uint16_t>(below(group.frame().cosets.size()));
+          for (std::size_t i = 0; i < static_cast<std::size_t>(entry.dimension); ++i)
+            p.g.t[i] = static_cast<std::int16_t>(below(11));
+          const auto in_frame = elements.in_frame(p);
+          ++(in_frame ? small : large);
+          if (!in_frame) continue;
+          EXPECT_EQ(group.in_instance(in_frame->coset, in_frame->translation), elements.at(p)) << entry.name;
+        }
+      }
+  EXPECT_GT(small, 500U);
+  EXPECT_GT(large, 100U);
 }
 
 }  // namespace
