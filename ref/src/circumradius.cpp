@@ -10,10 +10,10 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Round-to-nearest errs by at most 2^-53 |x| (2^-1075 when subnormal); the margin is more than four times that
-// and absorbs its own rounding. Zeros, as off the diagonal of most Gram matrices, so become numbers of 2^-900:
-// with 2^-1070, as small as could be, a quarter of the time of two points on the torus went into subnormal
-// operands. Rejected: nextafter, measured three times slower here.
+// Round-to-nearest errs by at most 2^-53 |x| (2^-1075 when subnormal); the margin is more than four times
+// that and absorbs its own rounding. Zeros, as off the diagonal of most Gram matrices, so become numbers of
+// 2^-900: with 2^-1070, as small as could be, a quarter of the time of two points on the torus went into
+// subnormal operands. Rejected: nextafter, measured three times slower here.
 Interval outward(double lo, double hi) {
   const Interval r{lo - (std::fabs(lo) * 0x1p-51 + 0x1p-900), hi + (std::fabs(hi) * 0x1p-51 + 0x1p-900)};
   // An overflow makes infinities and NaNs: then nothing is known.

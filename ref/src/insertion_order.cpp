@@ -54,7 +54,13 @@ std::vector<SiteId> batch_order(const Frame& frame, const std::vector<Site>& sit
   // Of a metric beyond the range of doubles nothing is known; any order is right.
   for (double& s : scale) s = longest > 0 && std::isfinite(longest) ? s / longest : 1;
 
-  std::vector<std::pair<std::uint64_t, SiteId>> order(sites.size());
+  std::vector<std::pair<std::uint64_t, SiteId>> order;
+  // A block of so many bytes has a mapping of its own (with glibc), which is given back at the end; a smaller
+  // one could leave a hole in the heap that stays resident below what is allocated next. Costs addresses
+  // only.
+  constexpr std::size_t kOwnMapping = std::size_t{1} << 25U, kMany = std::size_t{1} << 16U;
+  if (sites.size() >= kMany) order.reserve(std::max(sites.size(), kOwnMapping / sizeof order[0] + 1));
+  order.resize(sites.size());
   for (std::size_t n = 0; n < sites.size(); ++n) {
     const std::array<double, 3> at = sites[n].approximate();
     std::array<std::uint32_t, 3> x{};
