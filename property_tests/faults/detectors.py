@@ -42,7 +42,7 @@ def program(space, target):
 def run_gtest(detector, space, _hint):
     """The first failing test of a GoogleTest program; a crash counts against the test that was running."""
     command = [program(space, detector.targets[0]), "--gtest_fail_fast", "--gtest_color=no", *detector.arguments]
-    environment = os.environ | {"RC_PARAMS": os.environ.get("RC_PARAMS", "seed=1 noshrink=1"),
+    environment = os.environ | {"RC_PARAMS": os.environ.get("RC_PARAMS", "noshrink=1"),
                                 "FLATDT_COUNTEREXAMPLES": str(space.folder)}
     try:
         done = workspace.run(command, space.source, detector.limit, env=environment)

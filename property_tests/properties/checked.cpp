@@ -55,6 +55,10 @@ int effort() {
   return text == nullptr ? 1 : std::max(1, std::atoi(text));
 }
 
+bool has_fixed_seed() {
+  return rc::detail::configuration().testParams.seed == kSeed;
+}
+
 int check_property(int cases, const std::function<void()>& property,
                    const std::function<std::string()>& epilogue) {
   const std::clock_t start = std::clock();

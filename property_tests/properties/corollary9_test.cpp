@@ -96,7 +96,7 @@ TEST(Corollary9, AddingPointsInThePlane) {
   Visits visits;
   const int cases =
       for_all({60, many_points(plane(), 160, 1)}, [&](const Specimen& s) { adding_points(s, visits); });
-  if (cases == 0) return;
+  if (cases == 0 || !has_fixed_seed()) return;
   EXPECT_GT(visits.met_by_part, 5);
   EXPECT_GT(visits.met_by_all_only, 5);
 }
@@ -105,7 +105,7 @@ TEST(Corollary9, AddingPointsInSpace) {
   Visits visits;
   Domain domain = many_points(domain_of({"torocosm"}), 1, 120);
   const int cases = for_all({4, domain}, [&](const Specimen& s) { adding_points(s, visits); });
-  if (cases == 0) return;
+  if (cases == 0 || !has_fixed_seed()) return;
   EXPECT_GT(visits.met_by_part + visits.met_by_all_only, 0);
 }
 

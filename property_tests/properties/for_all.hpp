@@ -39,4 +39,8 @@ Domain domain_of(std::vector<std::string> manifolds);
 Domain plane();
 Domain space();
 
+/// Whether the seed is that of continuous integration: of what other seeds visit nothing is known. Requires:
+/// a property has been checked.
+bool has_fixed_seed();
+
 }  // namespace flatdt::property_tests

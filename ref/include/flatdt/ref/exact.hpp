@@ -5,7 +5,6 @@
 
 #include <gmpxx.h>
 
-#include <bit>
 #include <compare>
 #include <cstdint>
 #include <string>
@@ -94,12 +93,12 @@ Integer abs(const Integer& a);
 class Rational {
  public:
   Rational() = default;
-  Rational(int value) : numerator_(value) {}  // NOLINT(google-explicit-constructor)
-  Rational(long value) {                      // NOLINT(google-explicit-constructor)
+  Rational(int value) : value_{value} {}  // NOLINT(google-explicit-constructor)
+  Rational(long value) {                  // NOLINT(google-explicit-constructor)
     if (value == kLeast)
       set_large(mpq_class(value));
     else
-      numerator_ = value;
+      value_.numerator = value;
   }
   Rational(const Integer& value);  // NOLINT(google-explicit-constructor)
   /// numerator / denominator. Throws std::invalid_argument if the denominator is zero.
@@ -111,10 +110,10 @@ class Rational {
   /// numerator / denominator. Requires: denominator > 0, numerator > -2^63.
   static Rational ratio(std::int64_t numerator, std::int64_t denominator);
 
-  Rational(const Rational& o) : numerator_(o.numerator_), denominator_(o.denominator_) {
+  Rational(const Rational& o) : value_(o.value_), denominator_(o.denominator_) {
     if (!is_small()) set_large(*o.large());
   }
-  Rational(Rational&& o) noexcept : numerator_(o.numerator_), denominator_(o.denominator_) {
+  Rational(Rational&& o) noexcept : value_(o.value_), denominator_(o.denominator_) {
     if (!is_small()) o.forget();
   }
   Rational& operator=(const Rational& o) {
@@ -122,7 +121,7 @@ class Rational {
     return *this;
   }
   Rational& operator=(Rational&& o) noexcept {
-    std::swap(numerator_, o.numerator_);
+    std::swap(value_, o.value_);
     std::swap(denominator_, o.denominator_);
     return *this;
   }
@@ -133,22 +132,19 @@ class Rational {
   /// Both numbers are below 2^63 in magnitude.
   [[nodiscard]] bool is_small() const { return denominator_ != 0; }
   /// Requires: is_small().
-  [[nodiscard]] std::int64_t small_numerator() const { return numerator_; }
+  [[nodiscard]] std::int64_t small_numerator() const { return value_.numerator; }
   [[nodiscard]] std::int64_t small_denominator() const { return denominator_; }
 
-  [[nodiscard]] Integer numerator() const {
-    return is_small() ? Integer(long{numerator_}) : Integer(mpz_class(large()->get_num()));
-  }
-  [[nodiscard]] Integer denominator() const {
-    return is_small() ? Integer(long{denominator_}) : Integer(mpz_class(large()->get_den()));
-  }
+  [[nodiscard]] Integer numerator() const;
+  [[nodiscard]] Integer denominator() const;
   [[nodiscard]] mpq_class mpq() const;
   [[nodiscard]] Sign sign() const {
-    return is_small() ? sign_of_int(static_cast<int>(numerator_ > 0) - static_cast<int>(numerator_ < 0))
-                      : sign_of_int(sgn(*large()));
+    return is_small()
+               ? sign_of_int(static_cast<int>(value_.numerator > 0) - static_cast<int>(value_.numerator < 0))
+               : sign_of_int(sgn(*large()));
   }
-  [[nodiscard]] bool is_zero() const { return is_small() && numerator_ == 0; }
-  [[nodiscard]] bool is_integer() const { return is_small() ? denominator_ == 1 : large()->get_den() == 1; }
+  [[nodiscard]] bool is_zero() const { return is_small() && value_.numerator == 0; }
+  [[nodiscard]] bool is_integer() const;
   /// Truncated towards zero (mpq_get_d): relative error below 2^-52.
   [[nodiscard]] double to_double() const;
   /// "p" or "p/q", reduced.
@@ -162,15 +158,15 @@ class Rational {
     if (!b.is_zero()) *this += Rational(factor) * b;
   }
   friend Rational operator+(const Rational& a, const Rational& b) {
-    if (a.is_small() && b.is_small()) return sum(a, b.numerator_, b.denominator_);
+    if (a.is_small() && b.is_small()) return sum(a, b.value_.numerator, b.denominator_);
     return Rational(Canonical{}, a.mpq() + b.mpq());
   }
   friend Rational operator-(const Rational& a, const Rational& b) {
-    if (a.is_small() && b.is_small()) return sum(a, -b.numerator_, b.denominator_);
+    if (a.is_small() && b.is_small()) return sum(a, -b.value_.numerator, b.denominator_);
     return Rational(Canonical{}, a.mpq() - b.mpq());
   }
   friend Rational operator*(const Rational& a, const Rational& b) {
-    if (a.is_small() && b.is_small()) return product(a, b.numerator_, b.denominator_);
+    if (a.is_small() && b.is_small()) return product(a, b.value_.numerator, b.denominator_);
     return Rational(Canonical{}, a.mpq() * b.mpq());
   }
   /// Throws std::invalid_argument if b is zero (GMP would raise SIGFPE).
@@ -178,12 +174,12 @@ class Rational {
   friend Rational operator-(const Rational& a) {
     if (!a.is_small()) return Rational(Canonical{}, -*a.large());
     Rational result = a;
-    result.numerator_ = -a.numerator_;
+    result.value_.numerator = -a.value_.numerator;
     return result;
   }
   friend bool operator==(const Rational& a, const Rational& b) {
     if (a.denominator_ != b.denominator_) return false;
-    return a.is_small() ? a.numerator_ == b.numerator_ : *a.large() == *b.large();
+    return a.is_small() ? a.value_.numerator == b.value_.numerator : *a.large() == *b.large();
   }
   friend std::strong_ordering operator<=>(const Rational& a, const Rational& b);
 
@@ -204,17 +200,21 @@ class Rational {
   /// Requires: canonical; the present value is small.
   void set(mpq_class value);
   void set_large(mpq_class value) {
-    numerator_ = std::bit_cast<std::int64_t>(new mpq_class(std::move(value)));
+    value_.large = new mpq_class(std::move(value));
     denominator_ = 0;
   }
   /// Requires: !is_small().
-  [[nodiscard]] mpq_class* large() const { return std::bit_cast<mpq_class*>(numerator_); }
+  [[nodiscard]] mpq_class* large() const { return value_.large; }
   void forget() {
-    numerator_ = 0;
+    value_.numerator = 0;
     denominator_ = 1;
   }
 
-  std::int64_t numerator_ = 0;  // or, if the denominator is 0, the address of the value, which is owned
+  union Value {
+    std::int64_t numerator = 0;
+    mpq_class* large;  // owned
+  };
+  Value value_;  // `large` if the denominator is 0
   std::int64_t denominator_ = 1;
 };
 

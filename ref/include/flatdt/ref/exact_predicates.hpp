@@ -16,7 +16,7 @@ struct OrbitPoint {
   SiteId site;
   Element g;
   friend bool operator==(const OrbitPoint&, const OrbitPoint&) = default;
-  friend auto operator<=>(const OrbitPoint&, const OrbitPoint&) = default;
+  friend auto operator<=>(const OrbitPoint&, const OrbitPoint&) = default;  // NOLINT(modernize-use-nullptr)
 };
 
 /// The Gram matrix scaled to integers.

@@ -20,7 +20,7 @@ struct Element {
   std::uint16_t coset = 0;
   friend bool operator==(const Element&, const Element&) = default;
   /// A total order for sorting; it has no geometric meaning.
-  friend auto operator<=>(const Element&, const Element&) = default;
+  friend auto operator<=>(const Element&, const Element&) = default;  // NOLINT(modernize-use-nullptr)
   [[nodiscard]] bool is_identity() const { return *this == Element{}; }
   /// All of it in one number.
   [[nodiscard]] std::uint64_t packed() const {
