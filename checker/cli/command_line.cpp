@@ -39,6 +39,11 @@ unsigned default_jobs(const Triangulation& triangulation) {
   return std::clamp(std::thread::hardware_concurrency(), 1U, kMostJobsUnasked);
 }
 
+/// `jobs`: threads, or 0 for the default.
+Verdict check_with(const Instance& instance, const Triangulation& triangulation, unsigned jobs) {
+  return check(instance, triangulation, {.jobs = jobs == 0 ? default_jobs(triangulation) : jobs});
+}
+
 int exit_code(Outcome outcome) {
   switch (outcome) {
     case Outcome::verified:
@@ -95,13 +100,12 @@ class Input {
   std::istream* stream_ = nullptr;
 };
 
-/// `jobs`: threads, or 0 for the default.
 Verdict judge(Input& instance_input, Input& triangulation_input, unsigned jobs) {
   return judged([&] {
     const Instance instance = parse_instance(instance_input.stream(), instance_input.name());
     const Triangulation triangulation =
         parse_triangulation(triangulation_input.stream(), triangulation_input.name(), instance);
-    return check(instance, triangulation, {.jobs = jobs == 0 ? default_jobs(triangulation) : jobs});
+    return check_with(instance, triangulation, jobs);
   });
 }
 
@@ -109,8 +113,7 @@ Verdict judge_import(Input& input, const std::string& format, unsigned jobs) {
   return judged([&] {
     const Imported imported = import_file(input.stream(), input.name(), format);
     complain(imported.note);
-    const Triangulation& triangulation = imported.triangulation;
-    return check(imported.instance, triangulation, {.jobs = jobs == 0 ? default_jobs(triangulation) : jobs});
+    return check_with(imported.instance, imported.triangulation, jobs);
   });
 }
 
@@ -188,6 +191,7 @@ int parse_and_run(int argc, const char* const* argv) {
   try {
     app.parse(argc, argv);
     const bool files_given = !instance_path.empty() || !triangulation_path.empty() || !format.empty();
+    if (serving && jobs != 0) throw CLI::ValidationError("--serve checks with one thread: no --jobs");
     if (serving && files_given) throw CLI::ValidationError("--serve reads requests, and takes no files");
     if (!serving && max_bytes->count() + max_seconds->count() > 0)
       throw CLI::ValidationError("--max-bytes and --max-seconds belong to --serve");

@@ -8,17 +8,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "expect.h"
 #include "flatdt/checker/c.h"
-
-static int failures = 0;
-
-#define EXPECT(condition)                                                  \
-  do {                                                                     \
-    if (!(condition)) {                                                    \
-      fprintf(stderr, "%s:%d: not: %s\n", __FILE__, __LINE__, #condition); \
-      ++failures;                                                          \
-    }                                                                      \
-  } while (0)
 
 /* The category LC_NUMERIC of a locale as glibc stores it, so that none need be installed: a number that says
  * what it is, the number of entries, where each begins, and they: point, separator, grouping, the first two

@@ -186,6 +186,11 @@ def failed_write():
     expect(done.returncode == 3, f"a reply that cannot be written: exit {done.returncode}")
 
 
+def wrong_usage():
+    done = subprocess.run([CHECK, "--serve", "--jobs", "2"], stdin=subprocess.DEVNULL, capture_output=True, check=False)
+    expect(done.returncode == 2 and b"no --jobs" in done.stderr and not done.stdout, f"--serve with --jobs: {done}")
+
+
 def failed_read():
     folder = os.open("/", os.O_RDONLY)
     done = subprocess.run([CHECK, "--serve"], stdin=folder, capture_output=True, check=False)
@@ -203,5 +208,6 @@ limits()
 random_bytes()
 failed_write()
 failed_read()
+wrong_usage()
 print("all passed" if not complaints else f"{len(complaints)} complaints")
 sys.exit(bool(complaints))

@@ -4,7 +4,6 @@
 #include <exception>
 #include <filesystem>
 #include <mutex>
-#include <system_error>
 #include <thread>
 
 #include "bundle.hpp"
@@ -165,7 +164,7 @@ void run_campaign(const Options& options, Ledger& ledger, const std::atomic<bool
         --running;
       });
     }
-  } catch (const std::system_error&) {  // no thread could be started: those that run must end first
+  } catch (...) {  // no thread, or no memory for one: those that run must end first
     halt = true;
     for (std::thread& thread : threads) thread.join();
     throw;

@@ -10,6 +10,9 @@
 
 namespace flatdt::campaign {
 
+/// The most points that a case may have.
+inline constexpr std::size_t kMostPoints = 1'000'000;
+
 /// What the implementation's output claims.
 enum class Claim {
   triangulation,  // flatdt-triangulation 1, judged by the checker

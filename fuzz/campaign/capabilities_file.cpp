@@ -12,7 +12,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::uint64_t kMostPoints = 1'000'000;
 constexpr std::uint64_t kMostBits = 62;   // a long holds 2^62
 constexpr std::uint64_t kLeastExit = 1;   // 0 would make every answer "not supported"
 constexpr std::uint64_t kMostExit = 255;  // what a process can exit with
@@ -59,7 +58,7 @@ void read_max_points(const std::string& key, const Json& value, Capabilities& re
   for (const auto& [dimension, number] : value.items()) {
     if (dimension != "2" && dimension != "3") refuse("a key of " + key, R"("2" or "3")", Json(dimension));
     auto& most = dimension == "2" ? result.max_points_in_plane : result.max_points_in_space;
-    most = whole(key + " \"" + dimension + '"', number, 1, kMostPoints);
+    most = whole(std::string(key).append(" \"").append(dimension).append("\""), number, 1, kMostPoints);
   }
 }
 

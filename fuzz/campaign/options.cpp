@@ -28,7 +28,6 @@ constexpr const char* kFooter =
     "Exit codes: 0 nothing found, 1 failures found, 2 wrong usage, 3 internal error.";
 
 constexpr std::uint64_t kAny = std::numeric_limits<std::uint64_t>::max();
-constexpr std::uint64_t kMostPoints = 1'000'000;
 constexpr std::uint64_t kMostShards = 1'000'000;
 constexpr std::uint64_t kMostRuns = 1'000'000'000;
 constexpr std::uint64_t kMostJobs = 256;
@@ -82,9 +81,10 @@ void read_families(const std::string& text, Plan& plan) {
   const std::vector<std::string> known = all_families();
   for (const std::string& family : plan.families)
     if (std::find(known.begin(), known.end(), family) == known.end()) {
-      std::string names;
-      for (const std::string& k : known) names += (names.empty() ? "" : ", ") + k;
-      throw UsageError("no family is called \"" + family + "\"; there are " + names);
+      std::string complaint = "no family is called \"" + family + '"';
+      for (const std::string& k : known)
+        complaint.append(k == known.front() ? "; there are " : ", ").append(k);
+      throw UsageError(complaint);
     }
   if (plan.families.empty()) plan.families = known;
 }

@@ -202,10 +202,10 @@ std::optional<Lift> LongLatticeStar<D>::conflicting_vertex(const std::array<Lift
       .vertex;
 }
 
-/// The stars of all copies of q fill the union of the cells in conflict with some copy. A facet without
-/// copies of q on the boundary of a star is a facet of the old triangulation too, and the other facets of
-/// cells in conflict are not facets of the new one. So flood from the located cell and from the cell on q's
-/// side of each such facet, never crossing one; every part of the union has a cell to start from.
+/// The stars of all copies of q fill the union of the cells in conflict with some copy: modulo the group, of
+/// the cells in conflict with q. A facet without copies of q on the boundary of a star, a wall, is a facet of
+/// the new triangulation; one between two cells in conflict with q is not. The latter cells are connected by
+/// such facets, for their union is star-shaped around q. So flood from the located cell, crossing no wall.
 template <int D>
 std::vector<CellId> LongLatticeStar<D>::conflicts(CellId located) const {
   const GroupTable& table = *setting_.table;
@@ -214,40 +214,16 @@ std::vector<CellId> LongLatticeStar<D>::conflicts(CellId located) const {
   const auto is_copy = [&](const OrbitPoint& p) {
     return p.site == q.site && subgroup.split(p.g).rep == subgroup.split(q.g).rep;
   };
-  std::vector<CellId> open{located};
   std::set<std::array<OrbitPoint, D>> walls;
   for (const auto& cell : star_.cells()) {
     std::array<OrbitPoint, D> facet;
     std::size_t count = 0;
-    std::size_t apex = 0;
-    for (std::size_t k = 0; k <= D; ++k)
-      if (cell.lifts[k].point == q)
-        apex = k;
-      else if (!is_copy(cell.lifts[k].point))
-        facet[count++] = cell.lifts[k].point;
-    if (count != D) continue;
-    walls.insert(canonical_face<D>(table, subgroup, facet).key);
-    // Of the two old cells at the facet, the one on q's side.
-    std::size_t cells_there = 0;
-    for (const auto& at : complex_->star(facet[0])) {
-      const CellPoints<D> points = complex_->points(at);
-      std::size_t shared = 0;
-      OrbitPoint opposite{};
-      for (const OrbitPoint& p : points)
-        if (std::find(facet.begin(), facet.end(), p) != facet.end())
-          ++shared;
-        else
-          opposite = p;
-      if (shared != D) continue;
-      ++cells_there;
-      std::array<Lift, D + 1> replaced = cell.lifts;
-      replaced[apex] = complex_->lift(opposite);
-      if (setting_.predicates->orientation(replaced) == Sign::positive) open.push_back(at.cell);
-    }
-    ensure(cells_there == 2, "a facet of the star without copies of its centre is a facet of two old cells");
+    for (const Lift& vertex : cell.lifts)
+      if (!is_copy(vertex.point)) facet[count++] = vertex.point;
+    if (count == D) walls.insert(canonical_face<D>(table, subgroup, facet).key);
   }
-  std::set<CellId> found(open.begin(), open.end());
-  open.assign(found.begin(), found.end());
+  std::vector<CellId> open{located};
+  std::set<CellId> found{located};
   while (!open.empty()) {
     const CellId c = open.back();
     open.pop_back();

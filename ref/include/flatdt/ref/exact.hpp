@@ -204,7 +204,10 @@ class Rational {
     denominator_ = 0;
   }
   /// Requires: !is_small().
-  [[nodiscard]] mpq_class* large() const { return value_.large; }
+  [[nodiscard]] mpq_class* large() const {
+    // The analyzer takes the storage of an emptied std::optional for destroyed a second time.
+    return value_.large;  // NOLINT(clang-analyzer-cplusplus.NewDelete)
+  }
   void forget() {
     value_.numerator = 0;
     denominator_ = 1;
