@@ -20,6 +20,7 @@ CASES = [
     (["flatdt", "generate", "--manifold", "d"], ["dicosm", "didicosm"], ["torus"]),
     (["flatdt", "generate", "--family", "co"], ["cospherical"], ["uniform", "list"]),
     (["flatdt", "triangulate", "--engine", "c"], ["covering"], ["without-covers"]),
+    (["flatdt", "draw", "--format", ""], ["svg", "vtu", "html"], ["k.instance"]),
     (["flatdt", "info", "k"], ["k.instance"], ["other"]),
     (["flatdt-check", "--"], ["--json", "--serve", "--max-bytes", "--help"], ["-h"]),
     (["flatdt-check", "k"], ["k.instance"], ["other"]),

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <utility>
 
 namespace flatdt::ref {
 namespace {
@@ -144,7 +145,8 @@ bool Circumradius<D>::is_large(const std::array<Lift, D + 1>& cell) {
 /// as eta <= M / 100. Entries of G and its adjoint and det(G) are exact up to a relative 2 u; the last factor
 /// covers that and the rounding of the bounds themselves.
 template <int D>
-double Circumradius<D>::upper_bound(const Coordinates& cell) const {
+Interval Circumradius<D>::bounds(const Coordinates& cell) const {
+  constexpr Interval kUnknown{-kInfinity, kInfinity};
   constexpr double u = 0x1p-53;
   std::array<std::array<double, D>, D> a;
   std::array<double, D> q;
@@ -165,7 +167,7 @@ double Circumradius<D>::upper_bound(const Coordinates& cell) const {
   }
   const double eta = 2.25 * 0x1p-48 * (c_->row_sum + 1 + x + m);
   m += eta;
-  if (!(100 * eta <= m)) return kUnbounded;
+  if (!(100 * eta <= m)) return kUnknown;
   std::array<double, D> y;
   double det = 0;
   if constexpr (D == 2) {
@@ -197,48 +199,68 @@ double Circumradius<D>::upper_bound(const Coordinates& cell) const {
   // Nothing that matters has underflowed, or is a NaN. (As and Gs are above 2^-520: det(G) is at least
   // 2^-1000.)
   const bool is_sound = least_det > 0 && dividend > 0x1p-900 && divisor > 0x1p-900;
-  return is_sound ? dividend / divisor * (1 + 0x1p-40) : kUnbounded;
+  if (!is_sound) return kUnknown;
+  const double most_det = std::fabs(det) + 1.1 * e_d;
+  const double least_dividend = numerator - 1.1 * e_n;
+  const double most_divisor = 4 * most_det * most_det * c_->approximate_determinant;
+  const double lower = least_dividend > 0x1p-900 ? least_dividend / most_divisor * (1 - 0x1p-40) : 0;
+  return {lower, dividend / divisor * (1 + 0x1p-40)};
 }
 
 template <int D>
-Rational Circumradius<D>::squared_diameter(const QuotientComplex<D>& complex) {
+WidestCells<D> Circumradius<D>::widest(const QuotientComplex<D>& complex) const {
+  constexpr double kTight = 0x1p-20;  // relative; of slivers the quick bounds say little
+  WidestCells<D> result;
   double least = -kInfinity;  // a lower bound of the largest R^2 so far
-  std::vector<Candidate> candidates;
+  std::vector<double> upper;  // of each cell of the result
   std::set<typename FixedPredicates<D>::Edges> known;
   for (std::uint32_t i = 0; i < complex.cell_slots(); ++i) {
     const CellId c{i};
     if (!complex.cell(c).is_alive()) continue;
     const Coordinates x = complex.base_coordinates(c);
-    const double upper = upper_bound(x);
-    if (upper < least) continue;
+    Interval r = bounds(x);
+    if (r.hi < least) continue;
     // Congruent cells, of which lattices have many, are compared once.
     const CellPoints<D> points = complex.base_points(c);
     const auto edges = predicates_->fixed().edges(points);
     if (edges && !known.insert(*edges).second) continue;
-    const Interval r = enclose(x, kUnbounded);
+    if (r.hi == kInfinity || r.hi - r.lo > kTight * r.hi) r = enclose(x, kInfinity);
     if (r.hi < least) continue;
     least = std::max(least, r.lo);
-    candidates.push_back({r.hi, points});
+    upper.push_back(r.hi);
+    result.cells.push_back(points);
   }
-  return largest(candidates, least);
+  ensure(!upper.empty(), "a triangulation has a cell");
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < upper.size(); ++i)
+    if (upper[i] >= least) result.cells[kept++] = result.cells[i];
+  result.cells.resize(kept);
+  result.squared_radius = {least, *std::max_element(upper.begin(), upper.end())};
+  return result;
 }
 
 template <int D>
-Rational Circumradius<D>::largest(const std::vector<Candidate>& candidates, double least) {
-  ensure(!candidates.empty(), "a triangulation has a cell");
-  Integer numerator = -1;
-  Integer denominator = 1;
-  for (const Candidate& candidate : candidates) {
-    if (candidate.upper < least) continue;
-    const auto [n, m] = predicates_->exact().squared_circumradius(candidate.points);
-    if (n * denominator > numerator * m) {
-      numerator = n;
-      denominator = m;
-    }
+bool Circumradius<D>::has_large(const WidestCells<D>& widest) {
+  if (widest.squared_radius.lo >= c_->threshold_interval.hi) return true;
+  if (widest.squared_radius.hi < c_->threshold_interval.lo) return false;
+  return squared_diameter<D>(widest.cells, predicates_->exact()) >= Rational(4) * c_->threshold;
+}
+
+template <int D>
+Rational squared_diameter(const std::vector<CellPoints<D>>& cells, ExactPredicates<D>& exact) {
+  ensure(!cells.empty(), "the largest ball is that of a cell");
+  auto [numerator, denominator] = exact.squared_circumradius(cells.front());
+  for (std::size_t i = 1; i < cells.size(); ++i) {
+    auto [n, m] = exact.squared_circumradius(cells[i]);
+    if (!(n * denominator > numerator * m)) continue;
+    numerator = std::move(n);
+    denominator = std::move(m);
   }
   return Rational(Integer(4) * numerator, denominator);
 }
 
+template Rational squared_diameter<2>(const std::vector<CellPoints<2>>&, ExactPredicates<2>&);
+template Rational squared_diameter<3>(const std::vector<CellPoints<3>>&, ExactPredicates<3>&);
 template struct CircumradiusConstants<2>;
 template struct CircumradiusConstants<3>;
 template class Circumradius<2>;

@@ -107,7 +107,7 @@ class Run {
     const bool is_on_manifold = complex.subgroup().is_whole();
     const Subgroup& modulo = is_on_manifold ? whole : invariance;
     const std::uint32_t multiplicity = complex.subgroup().index() / modulo.index();
-    result_.empty_diameter_squared = circumradius_.squared_diameter(complex);
+    result_.widest = circumradius_.widest(complex);
     auto cells = cells_modulo<D>(table, modulo, released_cells(std::move(complex)), multiplicity);
     ensure(cells.has_value(), "complete orbits give a triangulation invariant under the tie order's group");
 
@@ -133,9 +133,12 @@ class Run {
                         ? smallest_cover_without(group_.frame(),
                                                  vectors(cycle_translations<D>(table, invariance, listed)))
                         : group_.complete_orbit_cover();
-    const Subgroup target = Subgroup::sublattice(table, *result_.cover);
-    ensure(!has_short_cycle<D>(table, invariance, target, listed),
-           "the complete-orbit cover is simplicial for every point set");
+    const bool is_simplicial =
+        !has_short_cycle<D>(table, invariance,
+                            options_.smallest_cover ? Subgroup::sublattice(table, *result_.cover)
+                                                    : group_.complete_orbit_subgroup(),
+                            listed);
+    ensure(is_simplicial, "the complete-orbit cover is simplicial for every point set");
     result_.cells = *std::move(cells);
   }
 
@@ -158,7 +161,7 @@ class Run {
   /// they are looked for all the same: it costs little, and a wrong threshold cannot stay unnoticed.
   std::optional<ShortCycle> find_cycle(const CellList<D>& cells) {
     constexpr std::size_t kFewCells = 2000;
-    const bool has_none = Rational(4) * result_.empty_diameter_squared < group_.frame().delta_squared;
+    const bool has_none = !circumradius_.has_large(result_.widest);
     if (has_none && cells.size() > kFewCells) return std::nullopt;
     const std::optional<ShortCycle> cycle = find_short_cycle<D>(group_.table(), cells.listed());
     ensure(!has_none || !cycle, "Corollary 9: no loop or 2-cycle where all empty balls are small");
@@ -185,6 +188,15 @@ class Run {
 };
 
 }  // namespace
+
+template <int D>
+Rational empty_diameter_squared(const FrameTriangulation<D>& answer, const PreparedGroup& group) {
+  ExactPredicates<D> exact(group.predicate_constants<D>().integral, group.table(), answer.sites);
+  return squared_diameter<D>(answer.widest.cells, exact);
+}
+
+template Rational empty_diameter_squared<2>(const FrameTriangulation<2>&, const PreparedGroup&);
+template Rational empty_diameter_squared<3>(const FrameTriangulation<3>&, const PreparedGroup&);
 
 template <int D>
 FrameTriangulation<D> triangulate_in_frame(const std::vector<Vector>& points, const PreparedGroup& group,

@@ -39,9 +39,9 @@ std::uint64_t hilbert_position(std::array<std::uint32_t, 3> x, std::size_t d, un
   return position;
 }
 
-}  // namespace
-
-std::vector<SiteId> batch_order(const Frame& frame, const std::vector<Site>& sites, std::uint64_t seed) {
+/// Along the curve, in a box as long along each axis as the parallelepiped of the lattice.
+void set_positions(const Frame& frame, const std::vector<Site>& sites,
+                   std::vector<std::pair<std::uint64_t, SiteId>>& order) {
   constexpr unsigned kBits = 20;  // 60 bits in space
   const auto d = static_cast<std::size_t>(frame.dimension);
   std::array<double, 3> scale{};
@@ -53,21 +53,27 @@ std::vector<SiteId> batch_order(const Frame& frame, const std::vector<Site>& sit
   }
   // Of a metric beyond the range of doubles nothing is known; any order is right.
   for (double& s : scale) s = longest > 0 && std::isfinite(longest) ? s / longest : 1;
+  for (auto& [position, site] : order) {
+    const std::array<double, 3> at = sites[index_of(site)].approximate();
+    std::array<std::uint32_t, 3> x{};
+    for (std::size_t i = 0; i < d; ++i)
+      x[i] = std::min(static_cast<std::uint32_t>(at[i] * scale[i] * (1U << kBits)), (1U << kBits) - 1);
+    position = hilbert_position(x, d, kBits);
+  }
+}
 
-  std::vector<std::pair<std::uint64_t, SiteId>> order;
+}  // namespace
+
+std::vector<SiteId> batch_order(const Frame& frame, const std::vector<Site>& sites, std::uint64_t seed) {
   // A block of so many bytes has a mapping of its own (with glibc), which is given back at the end; a smaller
   // one could leave a hole in the heap that stays resident below what is allocated next. Costs addresses
   // only.
   constexpr std::size_t kOwnMapping = std::size_t{1} << 25U, kMany = std::size_t{1} << 16U;
+  std::vector<std::pair<std::uint64_t, SiteId>> order;
   if (sites.size() >= kMany) order.reserve(std::max(sites.size(), kOwnMapping / sizeof order[0] + 1));
   order.resize(sites.size());
-  for (std::size_t n = 0; n < sites.size(); ++n) {
-    const std::array<double, 3> at = sites[n].approximate();
-    std::array<std::uint32_t, 3> x{};
-    for (std::size_t i = 0; i < d; ++i)
-      x[i] = std::min(static_cast<std::uint32_t>(at[i] * scale[i] * (1U << kBits)), (1U << kBits) - 1);
-    order[n] = {hilbert_position(x, d, kBits), SiteId{static_cast<std::uint32_t>(n)}};
-  }
+  for (std::size_t n = 0; n < sites.size(); ++n) order[n].second = SiteId{static_cast<std::uint32_t>(n)};
+  if (sites.size() > kFirstRound) set_positions(frame, sites, order);
   SplitMix64 random(seed);
   for (std::size_t n = order.size(); n > 1; --n) std::swap(order[n - 1], order[random.next() % n]);
   for (std::size_t end = order.size(); end > kFirstRound;) {

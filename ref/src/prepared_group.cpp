@@ -66,6 +66,12 @@ const Sublattice& PreparedGroup::complete_orbit_cover() const {
   return *cover_;
 }
 
+const Subgroup& PreparedGroup::complete_orbit_subgroup() const {
+  std::call_once(cover_subgroup_once_,
+                 [this] { cover_subgroup_ = Subgroup::sublattice(table_, complete_orbit_cover()); });
+  return *cover_subgroup_;
+}
+
 Isometry PreparedGroup::in_instance(std::uint16_t coset,
                                     const std::array<std::int64_t, 3>& translation) const {
   Isometry element = cosets_in_instance_[coset];

@@ -40,7 +40,7 @@ TriangulationResult in_instance(FrameTriangulation<D> answer, const PreparedGrou
   result.switched_after = answer.switched_after;
   result.hierarchy_levels = answer.hierarchy_levels;
   result.delta_squared = group.frame().delta_squared;
-  result.empty_diameter_squared = answer.empty_diameter_squared;
+  result.empty_diameter_squared = empty_diameter_squared<D>(answer, group);
   if (answer.cover)
     result.triangulation = to_triangulation<D>(
         CellList<D>(unfold<D>(group.table(), group.order().invariance_group(),

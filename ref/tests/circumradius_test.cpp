@@ -19,7 +19,7 @@ void compare(const Instance& instance) {
     const auto [numerator, denominator] = exact.squared_circumradius(cell);
     largest = std::max(largest, Rational(Integer(4) * numerator, denominator));
   }
-  EXPECT_EQ(answer.empty_diameter_squared, largest);
+  EXPECT_EQ(empty_diameter_squared<D>(answer, group), largest);
 }
 
 TEST(Circumradius, LargestOfAllCells) {

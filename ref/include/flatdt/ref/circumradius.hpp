@@ -2,7 +2,6 @@
 /// ball.
 #pragma once
 
-#include <limits>
 #include <memory>
 #include <vector>
 
@@ -15,6 +14,19 @@ struct Interval {
   double lo = 0;
   double hi = 0;
 };
+
+/// Cells of which one has the largest circumscribed ball, its squared radius enclosed (Gram units).
+template <int D>
+struct WidestCells {
+  std::vector<CellPoints<D>> cells;
+  Interval squared_radius;
+};
+
+/// The squared diameter of the largest circumscribed ball of the cells, exact, in Gram units; of the widest
+/// cells of a triangulation this is Delta^2, the squared diameter of the largest empty ball.
+/// Requires: at least one cell, none flat.
+template <int D>
+[[nodiscard]] Rational squared_diameter(const std::vector<CellPoints<D>>& cells, ExactPredicates<D>& exact);
 
 /// What depends on the metric and the group alone.
 template <int D>
@@ -43,25 +55,18 @@ class Circumradius {
   /// Corollary 9 asks for diameter 2R < delta/2; the "threshold delta" of Section 4.1 is a slip (DESIGN).
   [[nodiscard]] bool is_large(const std::array<Lift, D + 1>& cell);
 
-  /// Delta^2 = 4 max R^2 over the cells (exact, Gram units): the squared diameter of the largest empty ball.
   /// Requires: at least one cell. Nothing is kept of cells that cannot have the largest ball by what is known
   /// when they are met: on evenly spread points, O(log n) are kept.
-  [[nodiscard]] Rational squared_diameter(const QuotientComplex<D>& complex);
+  [[nodiscard]] WidestCells<D> widest(const QuotientComplex<D>& complex) const;
+  /// Is one of the cells large?
+  [[nodiscard]] bool has_large(const WidestCells<D>& widest);
 
  private:
-  /// A cell that may have the largest ball.
-  struct Candidate {
-    double upper;
-    CellPoints<D> points;
-  };
   using Coordinates = std::array<std::array<double, 3>, D + 1>;  // of the vertices of a lift
-  static constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
-  /// 4 R^2 of the largest of the candidates, those with an upper bound below `least` left out.
-  [[nodiscard]] Rational largest(const std::vector<Candidate>& candidates, double least);
-  /// An upper bound of R^2 in Gram units, quickly found; infinite when the doubles cannot tell.
+  /// Enclosure of R^2 in Gram units, quickly found; infinite where the doubles cannot tell.
   /// Error analysis: at its definition.
-  [[nodiscard]] double upper_bound(const Coordinates& cell) const;
+  [[nodiscard]] Interval bounds(const Coordinates& cell) const;
   /// Enclosure of R^2 in Gram units; the whole real line when the doubles cannot tell. May stop at a lower
   /// bound that is at least `enough`.
   [[nodiscard]] Interval enclose(const Coordinates& cell, double enough) const;
@@ -70,6 +75,8 @@ class Circumradius {
   std::shared_ptr<const CircumradiusConstants<D>> c_;
 };
 
+extern template Rational squared_diameter<2>(const std::vector<CellPoints<2>>&, ExactPredicates<2>&);
+extern template Rational squared_diameter<3>(const std::vector<CellPoints<3>>&, ExactPredicates<3>&);
 extern template struct CircumradiusConstants<2>;
 extern template struct CircumradiusConstants<3>;
 extern template class Circumradius<2>;

@@ -28,6 +28,8 @@ class PreparedGroup {
   [[nodiscard]] const TieOrder& order() const { return order_; }
   /// The smallest cover that is safe for complete orbits; found at the first call.
   [[nodiscard]] const Sublattice& complete_orbit_cover() const;
+  /// Its translations; made at the first call.
+  [[nodiscard]] const Subgroup& complete_orbit_subgroup() const;
 
   [[nodiscard]] const SiteMaps& site_maps() const { return site_maps_; }
   /// Requires: D is the group's dimension.
@@ -69,6 +71,8 @@ class PreparedGroup {
       lattice_complexes_;
   mutable std::once_flag cover_once_;
   mutable std::optional<Sublattice> cover_;
+  mutable std::once_flag cover_subgroup_once_;
+  mutable std::optional<Subgroup> cover_subgroup_;
 };
 
 extern template const QuotientComplex<2>* PreparedGroup::lattice_complex<2>() const;
