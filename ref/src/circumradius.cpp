@@ -196,9 +196,10 @@ Interval Circumradius<D>::bounds(const Coordinates& cell) const {
   const double least_det = std::fabs(det) - 1.1 * e_d;
   const double dividend = numerator + 1.1 * e_n;
   const double divisor = 4 * least_det * least_det * c_->approximate_determinant;
-  // Nothing that matters has underflowed, or is a NaN. (As and Gs are above 2^-520: det(G) is at least
-  // 2^-1000.)
-  const bool is_sound = least_det > 0 && dividend > 0x1p-900 && divisor > 0x1p-900;
+  // Nothing that matters has underflowed, overflowed, or is a NaN. (As and Gs are above 2^-520: det(G) is at
+  // least 2^-1000.)
+  const bool is_sound =
+      least_det > 0 && dividend > 0x1p-900 && divisor > 0x1p-900 && dividend < 0x1p+900 && divisor < 0x1p+900;
   if (!is_sound) return kUnknown;
   const double most_det = std::fabs(det) + 1.1 * e_d;
   const double least_dividend = numerator - 1.1 * e_n;

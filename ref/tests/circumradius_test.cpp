@@ -3,8 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
 #include "flatdt/ref/families.hpp"
 #include "flatdt/ref/frame_triangulation.hpp"
+#include "flatdt/ref/instance_format.hpp"
 
 namespace flatdt::ref {
 namespace {
@@ -36,6 +41,27 @@ TEST(Circumradius, LargestOfAllCells) {
         else
           compare<3>(instance);
       }
+}
+
+/// Where squared lengths, their products or determinants leave the range of doubles.
+TEST(Circumradius, MetricsAtTheEndsOfDoubles) {
+  for (const CatalogueEntry& entry : catalogue())
+    for (const int exponent : {-1060, -540, -360, -180, 180, 240, 360, 540, 1060}) {
+      Instance instance = generate(entry, entry.name, "uniform", 3, 1, "random");
+      const mpq_class power(mpz_class(1) << static_cast<unsigned>(std::abs(exponent)));
+      instance.gram = Rational(exponent < 0 ? mpq_class(1 / power) : power) * instance.gram;
+      SCOPED_TRACE(entry.name + ", metric times 2^" + std::to_string(exponent));
+      if (entry.dimension == 2)
+        compare<2>(instance);
+      else
+        compare<3>(instance);
+    }
+}
+
+TEST(Circumradius, BoundsThatAreNoNumbers) {
+  std::ifstream in(FLATDT_CORPORA "/regressions/metric-times-2-to-the-360.instance");
+  ASSERT_TRUE(in);
+  compare<3>(parse_instance(std::string(std::istreambuf_iterator<char>(in), {}), "regression"));
 }
 
 }  // namespace
