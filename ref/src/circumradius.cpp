@@ -10,6 +10,7 @@ namespace flatdt::ref {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr Interval kUnknown{-kInfinity, kInfinity};
 
 // Round-to-nearest errs by at most 2^-53 |x| (2^-1075 when subnormal); the margin is more than four times
 // that and absorbs its own rounding. Zeros, as off the diagonal of most Gram matrices, so become numbers of
@@ -124,9 +125,11 @@ template <int D>
 bool Circumradius<D>::is_large(const std::array<Lift, D + 1>& cell) {
   Coordinates x;
   for (std::size_t k = 0; k <= D; ++k) x[k] = cell[k].x;
-  const Interval r = enclose(x, c_->threshold_interval.hi);
-  if (r.lo >= c_->threshold_interval.hi) return true;
-  if (r.hi < c_->threshold_interval.lo) return false;
+  if (predicates_->uses_filter()) {
+    const Interval r = enclose(x, c_->threshold_interval.hi);
+    if (r.lo >= c_->threshold_interval.hi) return true;
+    if (r.hi < c_->threshold_interval.lo) return false;
+  }
   CellPoints<D> points;
   for (std::size_t k = 0; k <= D; ++k) points[k] = cell[k].point;
   const auto [numerator, denominator] = predicates_->exact().squared_circumradius(points);
@@ -146,7 +149,6 @@ bool Circumradius<D>::is_large(const std::array<Lift, D + 1>& cell) {
 /// covers that and the rounding of the bounds themselves.
 template <int D>
 Interval Circumradius<D>::bounds(const Coordinates& cell) const {
-  constexpr Interval kUnknown{-kInfinity, kInfinity};
   constexpr double u = 0x1p-53;
   std::array<std::array<double, D>, D> a;
   std::array<double, D> q;
@@ -211,6 +213,7 @@ Interval Circumradius<D>::bounds(const Coordinates& cell) const {
 template <int D>
 WidestCells<D> Circumradius<D>::widest(const QuotientComplex<D>& complex) const {
   constexpr double kTight = 0x1p-20;  // relative; of slivers the quick bounds say little
+  const bool uses_filter = predicates_->uses_filter();
   WidestCells<D> result;
   double least = -kInfinity;  // a lower bound of the largest R^2 so far
   std::vector<double> upper;  // of each cell of the result
@@ -219,13 +222,14 @@ WidestCells<D> Circumradius<D>::widest(const QuotientComplex<D>& complex) const 
     const CellId c{i};
     if (!complex.cell(c).is_alive()) continue;
     const Coordinates x = complex.base_coordinates(c);
-    Interval r = bounds(x);
+    Interval r = uses_filter ? bounds(x) : kUnknown;
     if (r.hi < least) continue;
     // Congruent cells, of which lattices have many, are compared once.
     const CellPoints<D> points = complex.base_points(c);
-    const auto edges = predicates_->fixed().edges(points);
-    if (edges && !known.insert(*edges).second) continue;
-    if (r.hi == kInfinity || r.hi - r.lo > kTight * r.hi) r = enclose(x, kInfinity);
+    if (predicates_->uses_fixed())
+      if (const auto edges = predicates_->fixed().edges(points))
+        if (!known.insert(*edges).second) continue;
+    if (uses_filter && (r.hi == kInfinity || r.hi - r.lo > kTight * r.hi)) r = enclose(x, kInfinity);
     if (r.hi < least) continue;
     least = std::max(least, r.lo);
     upper.push_back(r.hi);

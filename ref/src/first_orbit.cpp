@@ -69,10 +69,11 @@ bool add_small_candidates(const SmallClosestVectors& closest, const GroupTable& 
 /// p and some e in {0,1}^d, the point rq + e - 2s with s a lattice vector closest to (u + e)/2 (INSERTION 4).
 std::vector<OrbitPoint> neighbour_candidates(const Frame& frame, const GroupTable& table,
                                              const std::vector<Site>& sites, const Subgroup& subgroup,
-                                             SiteId id, const Element& g) {
+                                             SiteId id, const Element& g, bool in_machine_integers) {
   const int d = frame.dimension;
   const Site& site = sites[index_of(id)];
-  const auto closest = site.is_large() ? std::nullopt : SmallClosestVectors::make(frame.gram);
+  const auto closest =
+      in_machine_integers && !site.is_large() ? SmallClosestVectors::make(frame.gram) : std::nullopt;
   const Element back = table.inverse(g);
   std::vector<Element> elements;
   for (int c = 0; c < table.cosets(); ++c) {
@@ -106,8 +107,9 @@ template <int D>
 std::vector<CellPoints<D>> star_in_own_orbit(const Frame& frame, const GroupTable& table,
                                              const std::vector<Site>& sites, Predicates<D>& predicates,
                                              const Subgroup& subgroup, const OrbitPoint& q) {
-  return FiniteStar<D>(table, sites, predicates, q,
-                       neighbour_candidates(frame, table, sites, subgroup, q.site, q.g))
+  return FiniteStar<D>(
+             table, sites, predicates, q,
+             neighbour_candidates(frame, table, sites, subgroup, q.site, q.g, predicates.uses_fixed()))
       .cells();
 }
 

@@ -61,7 +61,7 @@ class Run {
   void insert_batch(const Setting<D>& setting) {
     const std::vector<SiteId> order = batch_order(group_.frame(), sites_, options_.order_seed);
     std::vector<CellPoints<D>> first;
-    if (group_.lattice_complex<D>() == nullptr)
+    if (lattice_complex() == nullptr)
       first = triangulate_first_orbit<D>(group_.frame(), group_.table(), sites_, group_.order(), predicates_,
                                          order[0]);
     if (insert_batch_modulo(Subgroup::whole(group_.table()), setting, order, first)) return;
@@ -69,12 +69,12 @@ class Run {
     ensure(inserted, "the tie order decides every tie modulo its own group");
   }
 
-  /// `first`: the cells of the first orbit, on a torus unused. Whether it came to an end.
+  /// `first`: the cells of the first orbit, unused where the group has them. Whether it came to an end.
   bool insert_batch_modulo(const Subgroup& subgroup, const Setting<D>& setting,
                            const std::vector<SiteId>& order, const std::vector<CellPoints<D>>& first) {
     PeriodicDelaunay<D> level(setting, subgroup, options_.insertion);
     level.reserve(order.size());
-    if (const QuotientComplex<D>* const any = group_.lattice_complex<D>())
+    if (const QuotientComplex<D>* const any = lattice_complex())
       level.start(order[0], *any);
     else
       level.start(order[0], first);
@@ -88,6 +88,11 @@ class Run {
     if (level.needs_smaller_group()) return false;
     finish(std::move(level).release_complex());
     return true;
+  }
+
+  /// The group's, which all stages of the predicates have made; where some are switched off, none.
+  [[nodiscard]] const QuotientComplex<D>* lattice_complex() const {
+    return options_.stages == PredicateStages::filtered ? group_.lattice_complex<D>() : nullptr;
   }
 
   void insert_in_random_order(DelaunayHierarchy<D> hierarchy) {

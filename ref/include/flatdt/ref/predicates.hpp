@@ -95,6 +95,7 @@ class Predicates {
 
   [[nodiscard]] const Filter<D>& filter() const { return filter_; }
   [[nodiscard]] bool uses_filter() const { return use_filter_; }
+  [[nodiscard]] bool uses_fixed() const { return use_fixed_; }
   [[nodiscard]] const FixedPredicates<D>& fixed() const { return fixed_; }
   [[nodiscard]] ExactPredicates<D>& exact() { return exact_; }
 
