@@ -53,23 +53,22 @@ Sign narrow_insphere(const Rows& rows, const Gram& gram) {
   }
 }
 
-/// Wide form: the determinant times (-1)^D.
-template <int D, class Rows>
-WideInteger<6> wide_insphere(const Rows& rows, const FixedMetric<D>& metric) {
-  std::array<WideInteger<3>, D + 1> length;
-  for (std::size_t k = 0; k <= D; ++k) length[k] = metric.squared_length(rows[k]);
+/// Wide forms: the determinant times (-1)^D, the lengths in L limbs.
+template <int D, std::size_t L, class Rows>
+WideInteger<L + D> wide_insphere(const Rows& rows, const std::array<WideInteger<L>, D + 1>& length) {
+  WideInteger<L + D> determinant;
   if constexpr (D == 2) {
-    WideInteger<5> determinant = multiply(widened<2>(minor(rows[1], rows[2])), length[0]);
+    determinant = multiply(widened<2>(minor(rows[1], rows[2])), length[0]);
     determinant -= multiply(widened<2>(minor(rows[0], rows[2])), length[1]);
     determinant += multiply(widened<2>(minor(rows[0], rows[1])), length[2]);
-    return extended<6>(determinant);
+    return determinant;
   } else {
-    WideInteger<6> determinant;
     for (std::size_t k = 0; k < 6; ++k) {
       const std::size_t r = kPairs[k][2], s = kPairs[k][3];
-      WideInteger<4> mixed = multiply(WideInteger<1>{{static_cast<std::uint64_t>(rows[r][2])}}, length[s]);
+      WideInteger<L + 1> mixed =
+          multiply(WideInteger<1>{{static_cast<std::uint64_t>(rows[r][2])}}, length[s]);
       mixed -= multiply(WideInteger<1>{{static_cast<std::uint64_t>(rows[s][2])}}, length[r]);
-      const WideInteger<6> term = multiply(widened<2>(minor(rows[kPairs[k][0]], rows[kPairs[k][1]])), mixed);
+      const auto term = multiply(widened<2>(minor(rows[kPairs[k][0]], rows[kPairs[k][1]])), mixed);
       if (kNegative[k])
         determinant -= term;
       else
@@ -77,6 +76,32 @@ WideInteger<6> wide_insphere(const Rows& rows, const FixedMetric<D>& metric) {
     }
     return -determinant;
   }
+}
+
+/// Requires: the squared length is below 2^127.
+template <int D, class Gram>
+Int128 squared_length(const Gram& gram, const std::array<std::int64_t, D>& a) {
+  Int128 length = 0;
+  for (std::size_t i = 0; i < D; ++i) {
+    Int128 row = 0;
+    for (std::size_t j = 0; j < D; ++j) row += static_cast<Int128>(gram[i][j]) * a[j];
+    length += row * a[i];
+  }
+  return length;
+}
+
+template <int D, class Rows>
+Sign insphere_sign(const Rows& rows, int bits, const FixedMetric<D>& metric) {
+  if (2 * bits + metric.bits + 4 <= 63 && 5 * bits + metric.bits + 9 <= 127)
+    return narrow_insphere<D>(rows, metric.gram);
+  if (2 * bits + metric.bits + 4 <= 127) {
+    std::array<WideInteger<2>, D + 1> length;
+    for (std::size_t k = 0; k <= D; ++k) length[k] = widened<2>(squared_length<D>(metric.gram, rows[k]));
+    return wide_insphere<D, 2>(rows, length).sign();
+  }
+  std::array<WideInteger<3>, D + 1> length;
+  for (std::size_t k = 0; k <= D; ++k) length[k] = metric.squared_length(rows[k]);
+  return wide_insphere<D, 3>(rows, length).sign();
 }
 
 }  // namespace
@@ -182,8 +207,7 @@ std::optional<Sign> FixedPredicates<D>::insphere(const std::array<OrbitPoint, D 
   std::array<Row, D + 1> rows;
   const std::optional<int> bits = load<D + 1>(p.data(), w, rows);
   if (!bits) return std::nullopt;
-  const bool is_narrow = 2 * *bits + metric_.bits + 4 <= 63 && 5 * *bits + metric_.bits + 9 <= 127;
-  return is_narrow ? narrow_insphere<D>(rows, metric_.gram) : wide_insphere<D>(rows, metric_).sign();
+  return insphere_sign<D>(rows, *bits, metric_);
 }
 
 template <int D>

@@ -158,14 +158,23 @@ TEST(Predicates, StagesAgreeOnEveryManifoldAndFamily) {
   EXPECT_GT(zero_inspheres, 100);
 }
 
-/// A metric and a denominator just inside and just outside the limits of the fixed width, 2^62 each, and
-/// coordinates that differ by almost a period: the products come as near to their bounds as they can.
+/// Metrics and denominators just inside and just outside the limits of the fixed width, 2^62 each, and of its
+/// narrow and middle forms, and coordinates that differ by almost a period: the products come as near to
+/// their bounds as they can.
 TEST(Predicates, FixedWidthAtItsLimits) {
-  for (const int bits : {20, 40, 60, 61, 62, 63}) {
+  std::vector<std::pair<unsigned, int>> sizes;  // bits of the denominator and of the metric
+  for (const int bits : {20, 40, 60, 61, 62, 63}) sizes.emplace_back(61, bits);
+  for (const unsigned denominator_bits : {20U, 50U, 56U}) {
+    const int last = denominator_bits == 20 ? 118 - 5 * 20 : 123 - 2 * static_cast<int>(denominator_bits);
+    for (int bits = last - 12; bits <= last + 1; ++bits)
+      if (bits > 1) sizes.emplace_back(denominator_bits, bits);
+  }
+  for (const auto& [denominator_bits, bits] : sizes) {
+    SCOPED_TRACE(denominator_bits);
     const mpz_class one = 1;
     const std::string large = mpz_class((one << static_cast<unsigned long>(bits)) - 1).get_str();
-    const std::string denominator = mpz_class((one << 61U) - 1).get_str();
-    const std::string almost = mpz_class((one << 61U) - 3).get_str() + "/" + denominator;
+    const std::string denominator = mpz_class((one << denominator_bits) - 1).get_str();
+    const std::string almost = mpz_class((one << denominator_bits) - 3).get_str() + "/" + denominator;
     const std::string few = "2/" + denominator;
     const std::string text = "flatdt-instance 1\ndimension 3\nmanifold 3-torus\nmetric " + large + " 1 -1 " +
                              large + " 1 " + large + "\npoints 4\n0 0 0\n" + almost + " " + few + " 0\n" +

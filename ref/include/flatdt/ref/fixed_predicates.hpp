@@ -11,8 +11,10 @@
 ///   products of a minor and a length: below 2^(4b+g+7);
 ///   the orientation determinant below 2^(3b+3).
 /// Narrow form: lengths in 64 bits and the determinant in 128 if 2b+g+4 <= 63 and 5b+g+9 <= 127.
-/// Wide form: b, g <= 62, hence minors below 2^125 (128 bits), lengths below 2^190 (192 bits), mixed minors
-/// below 2^253 (256 bits), the determinant below 2^381 (384 bits).
+/// Middle form, if 2b+g+4 <= 127, and so b <= 61: lengths in 128 bits, mixed minors below 2^(127+b+1) <=
+/// 2^189 (192 bits), the determinant below 2^(127+3b+5) <= 2^315 (320 bits), in the plane below 2^(127+2b+3)
+/// <= 2^252 (256 bits). Wide form: b, g <= 62, hence minors below 2^125 (128 bits), lengths below 2^190 (192
+/// bits), mixed minors below 2^253 (256 bits), the determinant below 2^381 (384 bits).
 #pragma once
 
 #include <array>

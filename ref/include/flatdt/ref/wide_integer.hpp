@@ -80,7 +80,7 @@ template <std::size_t N, std::size_t M>
 }
 
 /// a b, exactly. The product of the unsigned limbs is corrected for each negative factor: with a = u - 2^(64
-/// N) the product lacks -2^(64 N) b.
+/// N) the product lacks -2^(64 N) b. Without branches: signs are as good as random where this is used.
 template <std::size_t N, std::size_t M>
 [[nodiscard]] WideInteger<N + M> multiply(const WideInteger<N>& a, const WideInteger<M>& b) {
   WideInteger<N + M> result;
@@ -93,17 +93,17 @@ template <std::size_t N, std::size_t M>
     }
     result.limb[i + M] = carry;
   }
-  const auto subtract_high = [&result](const auto& factor, std::size_t from) {
+  const auto subtract_high = [&result](const auto& factor, std::size_t from, std::uint64_t mask) {
     std::uint64_t borrow = 0;
     for (std::size_t i = 0; from + i < N + M; ++i) {
       const Unsigned128 difference =
-          static_cast<Unsigned128>(result.limb[from + i]) - factor.limb[i] - borrow;
+          static_cast<Unsigned128>(result.limb[from + i]) - (factor.limb[i] & mask) - borrow;
       result.limb[from + i] = static_cast<std::uint64_t>(difference);
       borrow = static_cast<std::uint64_t>(difference >> 64U) & 1U;
     }
   };
-  if (a.is_negative()) subtract_high(b, N);
-  if (b.is_negative()) subtract_high(a, M);
+  subtract_high(b, N, -(a.limb[N - 1] >> 63U));
+  subtract_high(a, M, -(b.limb[M - 1] >> 63U));
   return result;
 }
 
