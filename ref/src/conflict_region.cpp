@@ -75,11 +75,13 @@ void PeriodicDelaunay<D>::grow_visit_table() {
 
 /// Bounded: the search meets the lifts of cells in the region and next to it; an empty ball has radius at
 /// most the covering radius of one orbit, so these are finitely many. Without covers it gives up (false) when
-/// it has met many further lifts of cells that it had met before, as happens on long lattices. (Rejected: a
+/// it has met many further lifts of cells that it had met before, as happens on long lattices; fewer suffice
+/// where the search before was given up, for then most are: either way leads to the same cells. (Rejected: a
 /// bound on all lifts that grows with the number of cells. With a cluster of 4,000 points and a gap of 10^5
 /// periods each insertion into the gap met 10^5 lifts of few cells.)
 template <int D>
 bool PeriodicDelaunay<D>::collect_conflicts(const OrbitPoint& q, const Location& at) {
+  constexpr std::size_t kLessAfterGivingUp = 8;
   const GroupTable& table = *setting_.table;
   begin_search();
   query_ = complex_.approximate(q.site);
@@ -92,11 +94,14 @@ bool PeriodicDelaunay<D>::collect_conflicts(const OrbitPoint& q, const Location&
   region_.push_back(at);
   const auto is_too_large = [this] {
     return insertion_ == Insertion::without_covers &&
-           (setting_.region_limit == 0 || repeated_visits_ > setting_.region_limit);
+           (setting_.region_limit == 0 || repeated_visits_ > region_limit_);
   };
   for (std::size_t i = 0; i < region_.size(); ++i) {
     const Location here = region_[i];
-    if (is_too_large()) return false;
+    if (is_too_large()) {
+      region_limit_ = setting_.region_limit / kLessAfterGivingUp;
+      return false;
+    }
     const Element lift = table.multiply(q.g, table.inverse(here.seen));
     for (std::uint32_t k = 0; k <= D; ++k) {
       const auto& cell = complex_.cell(here.cell);
@@ -113,6 +118,7 @@ bool PeriodicDelaunay<D>::collect_conflicts(const OrbitPoint& q, const Location&
       if (!conflict) add_boundary_facet(here, k, lift);
     }
   }
+  region_limit_ = setting_.region_limit;
   return true;
 }
 

@@ -15,7 +15,8 @@ PeriodicDelaunay<D>::PeriodicDelaunay(const Setting<D>& setting, const Subgroup&
       complex_(*setting.table, *setting.sites, subgroup),
       by_rank_(insertion == Insertion::without_covers && subgroup.is_whole() &&
                !setting.order->invariance_group().is_whole()),
-      visit_table_(128) {}
+      visit_table_(128),
+      region_limit_(setting.region_limit) {}
 
 template <int D>
 void PeriodicDelaunay<D>::start(SiteId site, const std::vector<CellPoints<D>>& cells) {
@@ -128,8 +129,8 @@ void PeriodicDelaunay<D>::insert(SiteId site, std::uint32_t rep, const Location&
     return;
   }
   if (!found_all) {
-    const LongLatticeStar<D> star(setting_, complex_, q);
-    replace_by_star(star.cells(), star.conflicts(at.cell));
+    const LongLatticeStar<D> star(setting_, complex_, q, at);
+    replace_by_star(star.cells(), star.conflicts());
     return;
   }
   if (!meets_own_copies_) {

@@ -14,35 +14,47 @@ namespace flatdt::ref {
 template <int D>
 class LongLatticeStar {
  public:
-  /// Requires: q is a point of GP whose copies modulo complex.subgroup() are not vertices yet.
-  LongLatticeStar(const Setting<D>& setting, const QuotientComplex<D>& complex, const OrbitPoint& q);
+  /// `located`: a cell in conflict with q. Requires: q is a point of GP whose copies modulo
+  /// complex.subgroup() are not vertices yet.
+  LongLatticeStar(const Setting<D>& setting, const QuotientComplex<D>& complex, const OrbitPoint& q,
+                  const Location& located);
 
-  /// The star of q in DT of the complex's points and Hq. Complexity: one nearest-vertex search for each cell
-  /// that it ever had.
+  /// The star of q in DT of the complex's points and Hq. Complexity: one test with each neighbour of one
+  /// vertex for each cell that it had while it was searched; a nearest-vertex search for a cell of copies of
+  /// q alone, of which few are left where the vertices of the located cell have been inserted.
   [[nodiscard]] std::vector<CellPoints<D>> cells() const { return star_.points(); }
-  /// The cells modulo H that are in conflict with some copy of q. `located`: one of them.
-  [[nodiscard]] std::vector<CellId> conflicts(CellId located) const;
+  /// The cells modulo H that are in conflict with some copy of q.
+  [[nodiscard]] std::vector<CellId> conflicts() const;
 
  private:
+  using Cell = typename LiftedStar<D>::Cell;
   struct Search {
     bool fits;  // else nothing has been found out
     std::optional<Lift> vertex;
   };
-  [[nodiscard]] OrbitPoint vertex_near(const std::array<double, 3>& x) const;
-  [[nodiscard]] OrbitPoint about_nearest(const std::array<Lift, D + 1>& cell);
+  [[nodiscard]] bool is_copy(const OrbitPoint& p) const {
+    return p.site == star_.centre().point.site && complex_->subgroup().split(p.g).rep == rep_;
+  }
+  void insert_vertices(const Location& located);
+  void complete();
+  [[nodiscard]] std::optional<Lift> conflicting_vertex(const Cell& cell);
+  [[nodiscard]] std::optional<Lift> conflicting_neighbour(const Cell& cell, const OrbitPoint& vertex);
+  [[nodiscard]] std::optional<Lift> conflicting_nearest(const std::array<Lift, D + 1>& cell);
+  [[nodiscard]] OrbitPoint vertex_near(const Vector& x) const;
   template <class PowerOf>
   [[nodiscard]] Search nearest_in_conflict(const std::array<Lift, D + 1>& cell, OrbitPoint nearest,
                                            const PowerOf& power_of);
-  [[nodiscard]] std::optional<Lift> conflicting_vertex(const std::array<Lift, D + 1>& cell);
   [[nodiscard]] Vector circumcentre(const CellPoints<D>& cell) const;
-  [[nodiscard]] const std::vector<OrbitPoint>& link(VertexId v);
   template <class Visit>
   void visit_neighbours(const OrbitPoint& p, const Visit& visit);
 
   Setting<D> setting_;
   const QuotientComplex<D>* complex_;
-  std::vector<std::vector<OrbitPoint>> links_;  // by vertex: the neighbours of its point, once asked for
+  CellId located_;
+  std::uint32_t rep_;                                // of the coset of q modulo H
+  std::vector<std::vector<OrbitPoint>> neighbours_;  // by vertex: those of its point, once asked for
   LiftedStar<D> star_;
+  StarFilter<D> around_;  // has seen points around the star, too
 };
 
 extern template class LongLatticeStar<2>;

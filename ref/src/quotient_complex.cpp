@@ -1,7 +1,6 @@
 #include "flatdt/ref/quotient_complex.hpp"
 
 #include <algorithm>
-#include <set>
 
 namespace flatdt::ref {
 
@@ -160,27 +159,6 @@ void QuotientComplex<D>::assemble(const std::vector<CellPoints<D>>& cells, Predi
     for (std::uint32_t k = 0; k <= D; ++k) facets.push_back(facet(id, base, k));
   }
   glue(facets);
-}
-
-template <int D>
-std::vector<typename QuotientComplex<D>::CellLift> QuotientComplex<D>::star(const OrbitPoint& p) const {
-  const Subgroup::Split split = subgroup_.split(p.g);
-  const VertexId v = vertex_of(p.site, split.rep);
-  const CellId first = vertex(v).cell;
-  std::size_t k = 0;
-  while (cell(first).vertex[k] != v) ++k;
-  std::vector<CellLift> found{{first, table_->multiply(split.s, table_->inverse(offset(first, k)))}};
-  std::set<CellLift> known(found.begin(), found.end());
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    const CellLift here = found[i];
-    const CellPoints<D> lifts = points(here);
-    for (std::size_t j = 0; j <= D; ++j) {
-      if (lifts[j] == p) continue;
-      const CellLift next{cell(here.cell).neighbour[j], table_->multiply(here.lift, gluing(here.cell, j))};
-      if (known.insert(next).second) found.push_back(next);
-    }
-  }
-  return found;
 }
 
 template <int D>

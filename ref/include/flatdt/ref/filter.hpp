@@ -63,8 +63,6 @@ class Filter {
 
   /// Squared length of p - q in scaled Gram units: an approximation for heuristics only.
   [[nodiscard]] double approximate_squared_distance(const Point& p, const Point& q) const;
-  /// About G^-1 c, G scaled: for heuristics only.
-  [[nodiscard]] std::array<double, D> raised(const std::array<double, D>& c) const;
 
  private:
   [[nodiscard]] double eta(const Point& origin, const std::array<double, D>& largest) const;
@@ -72,7 +70,6 @@ class Filter {
   bool enabled_ = true;
   double row_sum_;
   std::array<std::array<double, 3>, 3> gram_{};
-  std::array<std::array<double, 3>, 3> inverse_gram_{};
 };
 
 template <int D>
@@ -203,14 +200,6 @@ double Filter<D>::approximate_squared_distance(const Point& p, const Point& q) c
   for (std::size_t i = 0; i < D; ++i)
     for (std::size_t j = 0; j < D; ++j) sum += gram_[i][j] * (p[i] - q[i]) * (p[j] - q[j]);
   return sum;
-}
-
-template <int D>
-std::array<double, D> Filter<D>::raised(const std::array<double, D>& c) const {
-  std::array<double, D> result{};
-  for (std::size_t i = 0; i < D; ++i)
-    for (std::size_t j = 0; j < D; ++j) result[i] += inverse_gram_[i][j] * c[j];
-  return result;
 }
 
 extern template class Filter<2>;

@@ -172,6 +172,7 @@ class PeriodicDelaunay {
   std::array<double, 3> query_{};  // of the present search, the site's own coordinates
   bool meets_own_copies_ = false;
   std::size_t repeated_visits_ = 0;  // visits of cells that had been visited through another lift
+  std::size_t region_limit_;         // lower after a search that was given up, until one is not
   std::vector<Location> region_;
   std::vector<BoundaryFacet> boundary_;
   std::vector<Ridge> ridges_;

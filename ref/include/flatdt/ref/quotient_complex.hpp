@@ -148,18 +148,9 @@ class QuotientComplex {
     return points;
   }
 
-  /// A lift of a cell: `lift` times its base lift.
-  struct CellLift {
-    CellId cell;
-    Element lift;
-    friend auto operator<=>(const CellLift&, const CellLift&) = default;
-  };
-  /// The star of a point p of GP that is a vertex: all lifts of cells with p among their vertices.
-  /// Complexity: O(k log k) for k cells.
-  [[nodiscard]] std::vector<CellLift> star(const OrbitPoint& p) const;
-  [[nodiscard]] CellPoints<D> points(const CellLift& at) const {
-    return moved<D + 1>(*table_, at.lift, base_points(at.cell));
-  }
+  /// The points of GP that edges join to the point of a vertex, sorted. Requires: it is in a cell.
+  /// Complexity: O(k log k) for k cells around it, expected (hashing).
+  [[nodiscard]] std::vector<OrbitPoint> neighbours(VertexId v) const;
 
   /// A facet of a cell with its canonical key: multiplier * facet = key.
   struct FacetOccurrence {
