@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <stdexcept>
 #include <utility>
 
 #include "flatdt/checker/errors.hpp"
@@ -23,19 +22,19 @@ bool is_token_byte(char c) {
 
 }  // namespace
 
-Lexer::Lexer(std::istream& in, std::string file) : in_(in), file_(std::move(file)), buffer_(kBufferBytes) {}
+Lexer::Lexer(std::istream& in, std::string file)
+    : in_(in), file_(std::move(file)), buffer_(std::make_unique_for_overwrite<char[]>(kBufferBytes)) {}
 
 /// Moves the bytes from `keep` on to the front of the buffer and reads more behind them; false at the end of
 /// the file. At most kMaxTokenBytes are kept, so there is room.
 /// Reads through the stream buffer: a read error is an exception there, while istream::read would only set a
 /// flag.
 bool Lexer::refill(std::size_t keep) {
-  std::copy(buffer_.begin() + static_cast<std::ptrdiff_t>(keep),
-            buffer_.begin() + static_cast<std::ptrdiff_t>(filled_), buffer_.begin());
+  std::copy(buffer_.get() + keep, buffer_.get() + filled_, buffer_.get());
   position_ -= keep;
   filled_ -= keep;
   const auto room = static_cast<std::streamsize>(kBufferBytes - filled_);
-  const std::streamsize read = in_.rdbuf()->sgetn(buffer_.data() + filled_, room);
+  const std::streamsize read = in_.rdbuf()->sgetn(buffer_.get() + filled_, room);
   filled_ += static_cast<std::size_t>(read);
   return read > 0;
 }
@@ -43,54 +42,61 @@ bool Lexer::refill(std::size_t keep) {
 /// Goes to the next byte that is neither white space nor in a comment, or to the end of the file.
 void Lexer::skip_space() {
   bool comment = false;
-  while (position_ < filled_ || refill(position_)) {
-    const char c = buffer_[position_];
-    if (c == '\n') {
-      ++line_;
-      comment = false;
-    } else if (c == '#') {
-      comment = true;
-    } else if (!comment && !is_space(c)) {
-      return;
+  do {
+    const char* const end = buffer_.get() + filled_;
+    for (const char* at = buffer_.get() + position_; at != end; ++at) {
+      if (*at == '\n') {
+        ++line_;
+        comment = false;
+      } else if (*at == '#') {
+        comment = true;
+      } else if (!comment && !is_space(*at)) {
+        position_ = static_cast<std::size_t>(at - buffer_.get());
+        return;
+      }
     }
-    ++position_;
-  }
+    position_ = filled_;
+  } while (refill(position_));
+}
+
+/// The number of bytes of a token from position_ on that are in the buffer.
+std::size_t Lexer::token_bytes_from_here() const {
+  const char* const begin = buffer_.get() + position_;
+  const char* const end = buffer_.get() + filled_;
+  return static_cast<std::size_t>(std::find_if_not(begin, end, is_token_byte) - begin);
 }
 
 std::string_view Lexer::next() {
   token_ = {};
   skip_space();
   token_line_ = line_;
-  std::size_t begin = position_;
-  for (;; ++position_) {
-    if (position_ == filled_) {
-      const bool more = refill(begin);
-      begin = 0;
-      if (!more) break;
-    }
-    if (!is_token_byte(buffer_[position_])) break;
-    if (position_ - begin == kMaxTokenBytes) {
-      token_ = {buffer_.data() + begin, kMaxTokenBytes};
-      fail("token longer than 4096 bytes: " + found());
-    }
+  std::size_t length = token_bytes_from_here();
+  while (position_ + length == filled_ && length <= kMaxTokenBytes) {
+    if (!refill(position_)) break;
+    length = token_bytes_from_here();
   }
-  token_ = {buffer_.data() + begin, position_ - begin};
+  token_ = {buffer_.get() + position_, std::min(length, kMaxTokenBytes)};
+  if (length > kMaxTokenBytes) fail_with([this] { return "token longer than 4096 bytes: " + found(); });
+  position_ += length;
   if (position_ < filled_) {
     const char c = buffer_[position_];
-    if (!is_space(c) && c != '#') {
-      char hex[16];
-      std::snprintf(hex, sizeof hex, "0x%02X", static_cast<unsigned>(static_cast<unsigned char>(c)));
-      fail(std::string("byte ") + hex +
-           " is not allowed outside comments; only 0x21..0x7E and white space are");
-    }
+    if (!is_space(c) && c != '#')
+      fail_with([c] {
+        char hex[16];
+        std::snprintf(hex, sizeof hex, "0x%02X", static_cast<unsigned>(static_cast<unsigned char>(c)));
+        return std::string("byte ") + hex +
+               " is not allowed outside comments; only 0x21..0x7E and white space are";
+      });
   } else if (!token_.empty()) {
-    fail("the file ends directly after " + found() + "; white space must follow (cut short?)");
+    fail_with([this] {
+      return "the file ends directly after " + found() + "; white space must follow (cut short?)";
+    });
   }
   return token_;
 }
 
 void Lexer::expect(std::string_view word) {
-  if (next() != word) fail("expected '" + std::string(word) + "', found " + found());
+  if (next() != word) fail_with([&] { return "expected '" + std::string(word) + "', found " + found(); });
 }
 
 /// The most frequent tokens: white space, at most 18 digits (a value below 10^18) and white space, all of it
@@ -107,7 +113,7 @@ std::optional<std::uint64_t> Lexer::take_short_count() {
     value = 10 * value + static_cast<std::uint64_t>(buffer_[end] - '0');
   }
   if (end == begin || end == filled_ || !is_space(buffer_[end])) return std::nullopt;
-  token_ = {buffer_.data() + begin, end - begin};
+  token_ = {buffer_.get() + begin, end - begin};
   token_line_ = line_ += lines;
   position_ = end;
   return value;
@@ -124,27 +130,27 @@ std::uint64_t Lexer::count(std::string_view what, std::uint64_t least, std::uint
       if (valid && *value <= most)
         *value = 10 * *value + static_cast<std::uint64_t>(c - '0');  // saturates above most
     }
-    if (!valid) fail("expected " + std::string(what) + " ([0-9]+), found " + found());
+    if (!valid) fail_with([&] { return "expected " + std::string(what) + " ([0-9]+), found " + found(); });
   }
   if (*value < least || *value > most) {
-    fail(std::string(what) + " must be from " + std::to_string(least) + " to " + std::to_string(most) +
-         ", found " + found());
+    fail_with([&] {
+      return std::string(what) + " must be from " + std::to_string(least) + " to " + std::to_string(most) +
+             ", found " + found();
+    });
   }
   return *value;
 }
 
-Rational Lexer::number(std::string_view what) {
+void Lexer::number(std::string_view what, Rational& value) {
   const std::string_view token = next();
-  if (token.empty()) fail("expected " + std::string(what) + ", found " + found());
-  try {
-    return parse_number(token);
-  } catch (const std::invalid_argument& error) {
-    fail(std::string(what) + ": " + error.what() + ", found " + found());
-  }
+  if (token.empty()) fail_with([&] { return "expected " + std::string(what) + ", found " + found(); });
+  std::string_view fault;
+  if (!read_number(token, value, fault))
+    fail_with([&] { return std::string(what) + ": " + std::string(fault) + ", found " + found(); });
 }
 
 void Lexer::expect_end() {
-  if (!next().empty()) fail("expected the end of the file, found " + found());
+  if (!next().empty()) fail_with([this] { return "expected the end of the file, found " + found(); });
 }
 
 void Lexer::fail(const std::string& reason) const {

@@ -12,8 +12,13 @@
 namespace flatdt::checker {
 namespace {
 
-constexpr long kMaxDecimalExponent = 1100;
-constexpr long kMaxBinaryExponent = 4400;
+/// The largest absolute value of an exponent, and what is said of a larger one.
+struct ExponentLimit {
+  long most;
+  std::string_view fault;
+};
+constexpr ExponentLimit kDecimalExponents{1100, "exponent beyond 1100"};
+constexpr ExponentLimit kBinaryExponents{4400, "exponent beyond 4400"};
 
 bool is_digit(char c, int base) {
   if (c >= '0' && c <= '9') return true;
@@ -41,16 +46,24 @@ bool take_minus(std::string_view& rest) {
   return minus;
 }
 
-/// The rest of the token as [+-]?[0-9]+ of absolute value at most `limit`.
-long take_exponent(std::string_view& rest, long limit) {
+/// Nothing, and why.
+std::nullopt_t none(std::string_view& fault, std::string_view reason) {
+  fault = reason;
+  return std::nullopt;
+}
+
+/// The rest of the token as [+-]?[0-9]+ of absolute value at most the limit. Nothing if it is not, and then
+/// `fault` says why; so in all functions below.
+std::optional<long> take_exponent(std::string_view& rest, const ExponentLimit& limit,
+                                  std::string_view& fault) {
   const bool minus = take_minus(rest);
   const std::string digits = take_digits(rest, 10);
-  if (digits.empty()) throw std::invalid_argument("an exponent needs digits");
+  if (digits.empty()) return none(fault, "an exponent needs digits");
   long value = 0;
   for (const char c : digits) {
-    if (value <= limit) value = 10 * value + (c - '0');  // stops growing once above the limit
+    if (value <= limit.most) value = 10 * value + (c - '0');  // stops growing once above the limit
   }
-  if (value > limit) throw std::invalid_argument("exponent beyond " + std::to_string(limit));
+  if (value > limit.most) return none(fault, limit.fault);
   return minus ? -value : value;
 }
 
@@ -68,20 +81,22 @@ Rational scaled(const Integer& mantissa, unsigned long base, long exponent) {
 }
 
 /// What follows the digits before the point.
-Rational parse_positional(std::string_view rest, const std::string& whole, int base) {
+std::optional<Rational> parse_positional(std::string_view rest, const std::string& whole, int base,
+                                         std::string_view& fault) {
   std::string fraction;
   if (take(rest, '.', '.')) fraction = take_digits(rest, base);
-  if (whole.empty() && fraction.empty()) throw std::invalid_argument("a number needs digits");
+  if (whole.empty() && fraction.empty()) return none(fault, "a number needs digits");
   const long places = static_cast<long>(fraction.size());
   const Integer mantissa(whole + fraction, base);
-  long exponent = 0;
+  std::optional<long> exponent = 0;
   if (base == 16) {
-    if (take(rest, 'p', 'P')) exponent = take_exponent(rest, kMaxBinaryExponent);
+    if (take(rest, 'p', 'P')) exponent = take_exponent(rest, kBinaryExponents, fault);
   } else if (take(rest, 'e', 'E')) {
-    exponent = take_exponent(rest, kMaxDecimalExponent);
+    exponent = take_exponent(rest, kDecimalExponents, fault);
   }
-  if (!rest.empty()) throw std::invalid_argument("not a rational, decimal or hexadecimal number");
-  return base == 16 ? scaled(mantissa, 2, exponent - 4 * places) : scaled(mantissa, 10, exponent - places);
+  if (!exponent) return std::nullopt;
+  if (!rest.empty()) return none(fault, "not a rational, decimal or hexadecimal number");
+  return base == 16 ? scaled(mantissa, 2, *exponent - 4 * places) : scaled(mantissa, 10, *exponent - places);
 }
 
 /// Consumes a prefix of at most 18 digits: a value below 10^18, which a long holds. Nothing if there are
@@ -99,33 +114,36 @@ std::optional<long> take_small(std::string_view& rest) {
   return value;
 }
 
-/// The most frequent numbers: rationals of short numerator and denominator. Nothing for all other tokens, bad
+/// The most frequent numbers: rationals of short numerator and denominator. False for all other tokens, bad
 /// ones too.
-std::optional<Rational> parse_small(std::string_view rest) {
+bool read_small(std::string_view rest, Rational& value) {
   const std::optional<long> numerator = take_small(rest);
-  if (!numerator) return std::nullopt;
-  if (rest.empty()) return Rational(*numerator);
-  if (!take(rest, '/', '/')) return std::nullopt;
-  const std::optional<long> denominator = take_small(rest);
-  if (!denominator || *denominator == 0 || !rest.empty()) return std::nullopt;
+  if (!numerator) return false;
+  std::optional<long> denominator = 1;
+  if (!rest.empty()) {
+    if (!take(rest, '/', '/')) return false;
+    denominator = take_small(rest);
+    if (!denominator || *denominator == 0 || !rest.empty()) return false;
+  }
   const long common = std::gcd(*numerator, *denominator);
-  return Rational(*numerator / common, *denominator / common);
+  mpq_set_si(value.get_mpq_t(), *numerator / common, static_cast<unsigned long>(*denominator / common));
+  return true;
 }
 
-Rational parse_magnitude(std::string_view rest) {
-  if (std::optional<Rational> small = parse_small(rest)) return *std::move(small);
+/// All other numbers.
+std::optional<Rational> parse_magnitude(std::string_view rest, std::string_view& fault) {
   std::string_view after = rest;
   if (take(after, '0', '0') && take(after, 'x', 'X')) {
     const std::string hexadecimal = take_digits(after, 16);
-    return parse_positional(after, hexadecimal, 16);
+    return parse_positional(after, hexadecimal, 16, fault);
   }
   const std::string whole = take_digits(rest, 10);
   if (rest.empty() && !whole.empty()) return Rational(Integer(whole, 10));
-  if (whole.empty() || !take(rest, '/', '/')) return parse_positional(rest, whole, 10);
+  if (whole.empty() || !take(rest, '/', '/')) return parse_positional(rest, whole, 10, fault);
   const std::string below = take_digits(rest, 10);
-  if (below.empty() || !rest.empty()) throw std::invalid_argument("a rational is [+-]?[0-9]+/[0-9]+");
+  if (below.empty() || !rest.empty()) return none(fault, "a rational is [+-]?[0-9]+/[0-9]+");
   const Integer denominator(below, 10);
-  if (denominator == 0) throw std::invalid_argument("the denominator is zero");
+  if (denominator == 0) return none(fault, "the denominator is zero");
   Rational value(Integer(whole, 10), denominator);
   value.canonicalize();
   return value;
@@ -133,11 +151,22 @@ Rational parse_magnitude(std::string_view rest) {
 
 }  // namespace
 
-Rational parse_number(std::string_view token) {
+bool read_number(std::string_view token, Rational& value, std::string_view& fault) {
   const bool minus = take_minus(token);
-  Rational value = parse_magnitude(token);
+  if (!read_small(token, value)) {
+    std::optional<Rational> other = parse_magnitude(token, fault);
+    if (!other) return false;
+    value = *std::move(other);
+  }
   if (minus) mpq_neg(value.get_mpq_t(), value.get_mpq_t());
-  return value;
+  return true;
+}
+
+Rational parse_number(std::string_view token) {
+  std::string_view fault;
+  Rational value;
+  if (read_number(token, value, fault)) return value;
+  throw std::invalid_argument(std::string(fault));
 }
 
 }  // namespace flatdt::checker

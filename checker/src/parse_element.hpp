@@ -1,6 +1,7 @@
 // Group elements as both parsers read them.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -16,12 +17,14 @@ namespace flatdt::checker {
   constexpr std::uint64_t kMaxGenerators = 10'000;
   const std::uint64_t n = lexer.count("the number of generators", least, kMaxGenerators);
   const auto d = static_cast<std::size_t>(dimension);
+  constexpr std::uint64_t kUsual = 16;
   std::vector<Seitz> generators;
+  generators.reserve(std::min(n, kUsual));  // GMP's numbers are copied where a vector grows
   for (std::uint64_t i = 0; i < n; ++i) {
     Seitz& g = generators.emplace_back();
     for (std::size_t row = 0; row < d; ++row) {
-      for (std::size_t k = 0; k < d; ++k) g.linear[row][k] = lexer.number("an entry of a generator");
-      g.translation[row] = lexer.number("an entry of a generator");
+      for (std::size_t k = 0; k < d; ++k) lexer.number("an entry of a generator", g.linear[row][k]);
+      lexer.number("an entry of a generator", g.translation[row]);
     }
   }
   return generators;

@@ -32,7 +32,10 @@ Mat<Rational> parse_metric(Lexer& lexer, int dimension) {
   Mat<Rational> gram;
   const auto d = static_cast<std::size_t>(dimension);
   for (std::size_t i = 0; i < d; ++i) {
-    for (std::size_t j = i; j < d; ++j) gram[i][j] = gram[j][i] = lexer.number("an entry of the metric");
+    for (std::size_t j = i; j < d; ++j) {
+      lexer.number("an entry of the metric", gram[i][j]);
+      if (i != j) gram[j][i] = gram[i][j];
+    }
   }
   for (int minor = 1; minor <= dimension; ++minor) {
     if (determinant(minor, gram) <= 0) {
@@ -88,9 +91,11 @@ Instance parse_instance(std::istream& in, const std::string& file) {
         lexer.found());
   }
   const std::uint64_t n = lexer.count("the number of points", 1, kMaxPoints);
+  constexpr std::uint64_t kFew = 64;
+  instance.points.reserve(std::min(n, kFew));  // not n: memory as read, not as claimed
   for (std::uint64_t i = 0; i < n; ++i) {
     Vec<Rational>& point = instance.points.emplace_back();
-    for (std::size_t k = 0; k < static_cast<std::size_t>(d); ++k) point[k] = lexer.number("a coordinate");
+    for (std::size_t k = 0; k < static_cast<std::size_t>(d); ++k) lexer.number("a coordinate", point[k]);
   }
   lexer.expect_end();
   return instance;

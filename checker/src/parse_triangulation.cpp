@@ -20,7 +20,8 @@ class NumberPool {
   explicit NumberPool(std::vector<Rational>& numbers) : numbers_(numbers) {}
 
   std::uint32_t read(Lexer& lexer) {
-    Rational value = lexer.number("an entry of an element");
+    Rational value;
+    lexer.number("an entry of an element", value);
     const auto next = static_cast<std::uint32_t>(numbers_.size());
     std::uint32_t number = next;
     if (value.get_den() == 1 && value.get_num().fits_slong_p()) {

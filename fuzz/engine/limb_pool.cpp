@@ -61,7 +61,7 @@ class Shadow {
   std::size_t offset_ = 0;
 };
 
-/// The checker may count in several threads.
+/// Of a pool that several threads use.
 class Guard {
  public:
   explicit Guard(std::atomic_flag& busy) : busy_(busy) {
@@ -76,10 +76,10 @@ class Guard {
   std::atomic_flag& busy_;
 };
 
+/// Lists of free blocks. A block may come back to another pool than it was taken from.
 class LimbPool {
  public:
   void* take(std::size_t size) {
-    const Guard guard(busy_);
     Block*& first = free_[size / kLimbBytes];
     if (first == nullptr) add_chunk(size, first);
     Block* const block = first;
@@ -89,7 +89,6 @@ class LimbPool {
   }
 
   void give(void* memory, std::size_t size) {
-    const Guard guard(busy_);
     if (shadow_.is_poisoned(memory)) {
       std::fputs("fuzz: a number is freed twice\n", stderr);
       std::abort();
@@ -113,24 +112,35 @@ class LimbPool {
 
   Block* free_[kMaxLimbs + 1] = {};
   Shadow shadow_;
-  std::atomic_flag busy_ = ATOMIC_FLAG_INIT;
+};
+
+/// The thread that runs the inputs has a pool to itself, all others together have one: the checker may count
+/// in several threads, and the engine has one of its own, so that a lock would be taken for every number.
+struct Pools {
+  LimbPool own;
+  LimbPool shared;
+  std::atomic_flag shared_is_busy = ATOMIC_FLAG_INIT;
 };
 
 /// Never destroyed: constants of the libraries are freed after everything else.
-LimbPool& pool() {
-  static auto& the_pool = *new LimbPool;
-  return the_pool;
-}
+Pools* pools = nullptr;
+thread_local bool runs_inputs = false;
 
 void* allocate(std::size_t size) {
-  return is_pooled(size) ? pool().take(size) : from_malloc(size);
+  if (!is_pooled(size)) return from_malloc(size);
+  if (runs_inputs) return pools->own.take(size);
+  const Guard guard(pools->shared_is_busy);
+  return pools->shared.take(size);
 }
 
 void release(void* block, std::size_t size) {
-  if (is_pooled(size)) {
-    pool().give(block, size);
-  } else {
+  if (!is_pooled(size)) {
     std::free(block);
+  } else if (runs_inputs) {
+    pools->own.give(block, size);
+  } else {
+    const Guard guard(pools->shared_is_busy);
+    pools->shared.give(block, size);
   }
 }
 
@@ -144,6 +154,8 @@ void* reallocate(void* block, std::size_t old_size, std::size_t new_size) {
 }  // namespace
 
 void use_limb_pool() {
+  if (pools == nullptr) pools = new Pools;
+  runs_inputs = true;
   mp_set_memory_functions(allocate, reallocate, release);
 }
 

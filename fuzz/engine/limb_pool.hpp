@@ -8,7 +8,7 @@ namespace flatdt::fuzz {
 /// malloc. A free block and the limb after each block are poisoned, so that ASan still reports what
 /// instrumented code reads there; a block freed twice aborts. What is given up: blocks are used again at
 /// once, and GMP's own code was never instrumented. Blocks that GMP had before are taken over when they are
-/// freed.
+/// freed. To be called by the thread that runs the inputs.
 void use_limb_pool();
 
 }  // namespace flatdt::fuzz

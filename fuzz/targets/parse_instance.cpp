@@ -66,7 +66,7 @@ void expect_round_trip(const ref::Instance& instance) {
 }  // namespace
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const std::string text(data, data + size);
+  const std::string text(reinterpret_cast<const char*>(data), size);
   std::optional<ref::Instance> by_ref;
   std::optional<checker::Instance> by_checker;
   long ref_line = 0;

@@ -1,6 +1,9 @@
 /// Texts as triangulation files: the first byte chooses dimension and number of points of the instance, the
 /// rest is the text. Both parsers accept the same texts and read the same data; what ref writes means what it
 /// read.
+#include <map>
+#include <utility>
+
 #include "../engine/expect.hpp"
 #include "../engine/laws.hpp"
 #include "../engine/memory_stream.hpp"
@@ -29,7 +32,17 @@ Setting setting_of(std::span<const std::uint8_t> bytes) {
 }
 
 std::string text_of(std::span<const std::uint8_t> bytes) {
-  return bytes.empty() ? std::string() : std::string(bytes.begin() + 1, bytes.end());
+  return bytes.empty() ? std::string()
+                       : std::string(reinterpret_cast<const char*>(bytes.data()) + 1, bytes.size() - 1);
+}
+
+/// What the checker looks at of an instance before a triangulation of it. Made once for each setting.
+const checker::Instance& instance_of(const Setting& setting) {
+  static std::map<std::pair<int, std::size_t>, checker::Instance> instances;
+  checker::Instance& instance = instances[{setting.dimension, setting.points}];
+  instance.dimension = setting.dimension;
+  instance.points.resize(setting.points);
+  return instance;
 }
 
 bool same(const ref::Isometry& a, const checker::Seitz& b) {
@@ -116,12 +129,9 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   } catch (const ref::InvalidInput& error) {
     expect(flatdt::fuzz::line_of(error.what()) > 0, "ref names a line");
   }
-  checker::Instance instance;
-  instance.dimension = setting.dimension;
-  instance.points.resize(setting.points);
   try {
     flatdt::fuzz::MemoryStream in(text);
-    by_checker = checker::parse_triangulation(in, "f", instance);
+    by_checker = checker::parse_triangulation(in, "f", instance_of(setting));
   } catch (const checker::MalformedInput& error) {
     expect(flatdt::fuzz::line_of(error.what()) > 0, "the checker names a line");
   }

@@ -36,7 +36,7 @@ void parse_generators(Lexer& lexer, Instance& instance) {
   const std::uint64_t count = lexer.count("the number of generators", kMaxGenerators);
   if (count == 0) lexer.fail("there must be at least one generator");
   for (std::uint64_t i = 0; i < count; ++i)
-    instance.generators.push_back(lexer.isometry(instance.dimension, "generator " + std::to_string(i)));
+    instance.generators.push_back(lexer.isometry(instance.dimension, {"generator", i}));
 }
 
 Matrix parse_metric(Lexer& lexer, int dimension) {

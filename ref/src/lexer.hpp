@@ -4,26 +4,28 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
+#include "flatdt/ref/errors.hpp"
 #include "flatdt/ref/isometry.hpp"
+#include "number.hpp"
 
 namespace flatdt::ref {
 
 inline constexpr std::size_t kMaxTokenBytes = 4096;
-inline constexpr long kMaxDecimalExponent = 1100;
-inline constexpr long kMaxBinaryExponent = 4400;
 
-/// The value of a NUMBER token: rational, decimal or hexadecimal, letters in either case.
-/// Errors: InvalidInput saying what is wrong, without a location.
-Rational parse_number(std::string_view token);
+/// How messages call a token: "the metric", or "element 3". A text is made only where one is printed. What is
+/// named must outlive it.
+struct What {
+  What(const char* text) : name(text) {}  // NOLINT(google-explicit-constructor)
+  What(std::string_view text, std::uint64_t k) : name(text), number(k) {}
+  [[nodiscard]] std::string text() const;
 
-/// The reduced rational "p" or "p/q". Errors: LimitReached if that is longer than a token may be (numbers
-/// read from hexadecimal digits or with large exponents can be).
-std::string number_token(const Rational& value);
-/// The matrix [R|t] row by row, as Lexer::isometry reads it. Errors: as number_token.
-std::string isometry_tokens(const Isometry& g);
+  std::string_view name;
+  std::optional<std::uint64_t> number;
+};
 
 /// A cursor over the tokens of one text. The text must outlive it.
 /// Errors: every member throws InvalidInput "file:line: reason" when the text breaks a rule.
@@ -39,14 +41,14 @@ class Lexer {
   /// Reads the next token, which must equal `keyword`.
   void expect(std::string_view keyword);
   /// Reads any token. `what` names it in messages, as in all members below.
-  std::string_view word(std::string_view what);
-  Rational number(std::string_view what);
+  std::string_view word(const What& what);
+  Rational number(const What& what);
   /// A COUNT in [0, maximum].
-  std::uint64_t count(std::string_view what, std::uint64_t maximum);
+  std::uint64_t count(const What& what, std::uint64_t maximum);
   /// An INDEX in [0, bound).
-  std::uint64_t index(std::string_view what, std::uint64_t bound);
+  std::uint64_t index(const What& what, std::uint64_t bound);
   /// An affine map: the d x (d+1) matrix [R|t] row by row.
-  Isometry isometry(int dimension, std::string_view what);
+  Isometry isometry(int dimension, const What& what);
   /// No token may be left. `last` names the last section.
   void expect_end(std::string_view last);
 
@@ -58,8 +60,19 @@ class Lexer {
   [[noreturn]] void fail(const std::string& reason) const;
 
  private:
+  /// fail(reason()). The exception is made in a call of its own, so that no string is alive where it is
+  /// thrown: each frame with something to destroy costs about as much as the throw itself.
+  template <class Reason>
+  [[noreturn]] void fail_with(const Reason& reason) const {
+    throw located_with(reason);
+  }
+  template <class Reason>
+  [[nodiscard]] InvalidInput located_with(const Reason& reason) const {
+    return located(reason());
+  }
+  [[nodiscard]] InvalidInput located(const std::string& reason) const;
   void advance();
-  std::uint64_t natural(std::string_view what, std::uint64_t maximum, std::string_view limit);
+  std::uint64_t natural(const What& what, std::uint64_t maximum, std::string_view limit);
 
   std::string_view text_;
   std::string file_name_;

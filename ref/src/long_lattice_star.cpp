@@ -186,11 +186,12 @@ std::optional<Lift> LongLatticeStar<D>::conflicting_nearest(const std::array<Lif
   for (std::size_t k = 0; k <= D; ++k) points[k] = cell[k].point;
   const Vector centre = circumcentre(points);
   const OrbitPoint start = vertex_near(centre);
-  if (const auto sphere = FixedSphere<D>::make(setting_.predicates->fixed(), points)) {
-    const Search search =
-        nearest_in_conflict(cell, start, [&](const OrbitPoint& p) { return sphere->power(p); });
-    if (search.fits) return search.vertex;
-  }
+  if (setting_.predicates->uses_fixed())
+    if (const auto sphere = FixedSphere<D>::make(setting_.predicates->fixed(), points)) {
+      const Search search =
+          nearest_in_conflict(cell, start, [&](const OrbitPoint& p) { return sphere->power(p); });
+      if (search.fits) return search.vertex;
+    }
   const auto squared_distance = [&](const OrbitPoint& p) {
     return squared_length(setting_.frame->gram, position(*setting_.table, *setting_.sites, p) - centre);
   };

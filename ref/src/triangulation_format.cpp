@@ -13,10 +13,9 @@ constexpr std::uint64_t kMaxElements = 100'000'000;
 constexpr std::uint64_t kMaxCells = 1'000'000'000;
 
 std::vector<Isometry> parse_isometries(Lexer& lexer, int dimension, std::uint64_t count,
-                                       const std::string& what) {
+                                       std::string_view what) {
   std::vector<Isometry> list;  // grows with the text: a count alone must not cost memory
-  for (std::uint64_t i = 0; i < count; ++i)
-    list.push_back(lexer.isometry(dimension, what + " " + std::to_string(i)));
+  for (std::uint64_t i = 0; i < count; ++i) list.push_back(lexer.isometry(dimension, {what, i}));
   return list;
 }
 
