@@ -62,7 +62,7 @@ template <class T>
 template <class T>
 [[nodiscard]] T determinant(int d, const Mat<T>& a) {
   if (d == 1) return a[0][0];
-  const T minor = a[0][0] * a[1][1] - a[0][1] * a[1][0];
+  T minor = a[0][0] * a[1][1] - a[0][1] * a[1][0];
   if (d == 2) return minor;
   return a[0][2] * (a[1][0] * a[2][1] - a[1][1] * a[2][0]) -
          a[1][2] * (a[0][0] * a[2][1] - a[0][1] * a[2][0]) + a[2][2] * minor;

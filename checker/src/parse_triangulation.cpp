@@ -23,12 +23,10 @@ class NumberPool {
     Rational value;
     lexer.number("an entry of an element", value);
     const auto next = static_cast<std::uint32_t>(numbers_.size());
-    std::uint32_t number = next;
-    if (value.get_den() == 1 && value.get_num().fits_slong_p()) {
-      number = integers_.insert(static_cast<std::uint64_t>(value.get_num().get_si()), next);
-    } else {
-      number = others_.try_emplace(value.get_str(16), next).first->second;
-    }
+    const bool is_short = value.get_den() == 1 && value.get_num().fits_slong_p();
+    const std::uint32_t number =
+        is_short ? integers_.insert(static_cast<std::uint64_t>(value.get_num().get_si()), next)
+                 : others_.try_emplace(value.get_str(16), next).first->second;
     if (number == next) numbers_.push_back(std::move(value));
     return number;
   }

@@ -11,6 +11,7 @@
 
 // Only where ASan is linked. This file itself is compiled without instrumentation: it works on poisoned
 // memory.
+// NOLINTNEXTLINE(bugprone-reserved-identifier): ASan's name
 extern "C" __attribute__((weak)) void __asan_get_shadow_mapping(std::size_t*, std::size_t*);
 
 namespace flatdt::fuzz {
@@ -48,6 +49,7 @@ class Shadow {
   static_assert(kLimbBytes == 8);
 
   [[nodiscard]] volatile unsigned char* of(void* block) const {
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): the shadow is found by arithmetic on addresses
     return reinterpret_cast<volatile unsigned char*>((reinterpret_cast<std::uintptr_t>(block) >> 3) +
                                                      offset_);
   }

@@ -77,7 +77,8 @@ Instance parse_instance(std::string_view text, const std::string& file_name) {
     entry = &parse_name(lexer, instance);
   }
   instance.generators_given = lexer.accept("generators");
-  if (instance.generators_given) {
+  const bool is_by_name = !instance.generators_given;
+  if (!is_by_name) {
     instance.lines.generators = lexer.line();
     parse_generators(lexer, instance);
   } else {
@@ -88,7 +89,7 @@ Instance parse_instance(std::string_view text, const std::string& file_name) {
     instance.lines.metric = lexer.line();
     instance.gram = parse_metric(lexer, instance.dimension);
   } else {
-    instance.gram = instance.generators_given ? Matrix::identity(instance.dimension) : entry->canonical_gram;
+    instance.gram = is_by_name ? entry->canonical_gram : Matrix::identity(instance.dimension);
   }
   lexer.expect("points");
   parse_points(lexer, instance);

@@ -4,6 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "fixed_sphere.hpp"
 #include "flatdt/ref/families.hpp"
 #include "flatdt/ref/group_analysis.hpp"
@@ -176,11 +181,13 @@ TEST(Predicates, FixedWidthAtItsLimits) {
     const std::string denominator = mpz_class((one << denominator_bits) - 1).get_str();
     const std::string almost = mpz_class((one << denominator_bits) - 3).get_str() + "/" + denominator;
     const std::string few = "2/" + denominator;
-    const std::string text = "flatdt-instance 1\ndimension 3\nmanifold 3-torus\nmetric " + large + " 1 -1 " +
-                             large + " 1 " + large + "\npoints 4\n0 0 0\n" + almost + " " + few + " 0\n" +
-                             few + " " + almost + " " + few + "\n" + almost + " " + almost + " " + almost +
-                             "\n";
-    const Instance instance = parse_instance(text, "limits");
+    std::ostringstream text;
+    text << "flatdt-instance 1\ndimension 3\nmanifold 3-torus\nmetric " << large << " 1 -1 " << large << " 1 "
+         << large << "\npoints 4\n0 0 0\n"
+         << almost << ' ' << few << " 0\n"
+         << few << ' ' << almost << ' ' << few << '\n'
+         << almost << ' ' << almost << ' ' << almost << '\n';
+    const Instance instance = parse_instance(text.str(), "limits");
     const World<3> world(instance);
     const FixedPredicates<3> fixed(world.analysis.frame, world.table, world.sites);
     ExactPredicates<3> exact(world.analysis.frame, world.table, world.sites);
