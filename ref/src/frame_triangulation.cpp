@@ -138,12 +138,15 @@ class Run {
                         ? smallest_cover_without(group_.frame(),
                                                  vectors(cycle_translations<D>(table, invariance, listed)))
                         : group_.complete_orbit_cover();
-    const bool is_simplicial =
-        !has_short_cycle<D>(table, invariance,
-                            options_.smallest_cover ? Subgroup::sublattice(table, *result_.cover)
-                                                    : group_.complete_orbit_subgroup(),
-                            listed);
-    ensure(is_simplicial, "the complete-orbit cover is simplicial for every point set");
+    const auto is_simplicial = [&](const Subgroup& target) {
+      return !has_short_cycle<D>(table, invariance, target, listed);
+    };
+    if (options_.smallest_cover)
+      ensure(is_simplicial(Subgroup::sublattice(table, *result_.cover)),
+             "the smallest cover is one without short cycles");
+    else
+      ensure(is_simplicial(group_.complete_orbit_subgroup()),
+             "the complete-orbit cover is simplicial for every point set");
     result_.cells = *std::move(cells);
   }
 

@@ -15,10 +15,12 @@
 namespace flatdt::ref {
 namespace {
 
-std::string bytes(const Instance& instance, Insertion insertion, std::size_t region_limit = kRegionLimit) {
+std::string bytes(const Instance& instance, Insertion insertion, std::size_t region_limit = kRegionLimit,
+                  std::uint64_t order_seed = 0) {
   TriangulationOptions options;
   options.insertion = insertion;
   options.region_limit = region_limit;
+  options.order_seed = order_seed;
   const TriangulationResult result = triangulate(instance, analyse(instance), options);
   EXPECT_EQ(result.working_cover.has_value(), insertion == Insertion::covering);
   return write_triangulation(result.triangulation, describe(result));
@@ -118,14 +120,8 @@ TEST(LongLattices, AreNoLimit) {
         parse_instance("flatdt-instance 1\ndimension 3\nmanifold torocosm\nmetric " + std::string(metric) +
                            "\npoints 4\n1/10 1/5 1/3\n3/4 3/8 1/5\n2/5 9/10 7/10\n1/3 1/7 1/9\n",
                        "long");
-    TriangulationOptions options;
-    options.order_seed = 1;
-    const TriangulationResult one = triangulate(instance, analyse(instance), options);
-    options.order_seed = 2;
-    options.region_limit = 0;
-    const TriangulationResult other = triangulate(instance, analyse(instance), options);
-    EXPECT_EQ(write_triangulation(one.triangulation, describe(one)),
-              write_triangulation(other.triangulation, describe(other)))
+    EXPECT_EQ(bytes(instance, Insertion::without_covers, kRegionLimit, 1),
+              bytes(instance, Insertion::without_covers, 0, 2))
         << metric;
   }
 }
@@ -137,12 +133,8 @@ TEST(LongLattices, WalksStayNear) {
     ASSERT_TRUE(in) << name;
     const Instance instance = parse_instance(std::string(std::istreambuf_iterator<char>(in), {}), name);
     std::set<std::string> answers;
-    for (const std::uint64_t seed : {0, 1, 2, 3}) {
-      TriangulationOptions options;
-      options.order_seed = seed;
-      const TriangulationResult result = triangulate(instance, analyse(instance), options);
-      answers.insert(write_triangulation(result.triangulation, describe(result)));
-    }
+    for (const std::uint64_t seed : {0, 1, 2, 3})
+      answers.insert(bytes(instance, Insertion::without_covers, kRegionLimit, seed));
     EXPECT_EQ(answers.size(), 1U) << name;
   }
 }
@@ -153,13 +145,8 @@ TEST(LongLattices, CellsOfCopiesAlone) {
   for (const char* name : {"dicosm", "tetracosm", "hexacosm"})
     for (const std::uint64_t seed : {1, 2, 3, 4, 5, 6, 7, 8}) {
       const Instance instance = generate(*find_entry(name), name, "long-cell", 2, seed, "random");
-      TriangulationOptions options;
-      const TriangulationResult one = triangulate(instance, analyse(instance), options);
-      options.order_seed = 1;
-      options.region_limit = 0;
-      const TriangulationResult other = triangulate(instance, analyse(instance), options);
-      EXPECT_EQ(write_triangulation(one.triangulation, describe(one)),
-                write_triangulation(other.triangulation, describe(other)))
+      EXPECT_EQ(bytes(instance, Insertion::without_covers, kRegionLimit, 0),
+                bytes(instance, Insertion::without_covers, 0, 1))
           << name << " " << seed;
     }
 }
