@@ -1,6 +1,8 @@
 // Builders of input texts for the tests, and the judge applied to texts.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <array>
 #include <map>
 #include <sstream>
@@ -37,6 +39,12 @@ inline std::string statuses(const Verdict& verdict) {
     text += to_string(verdict.conditions[i].status)[0];
   }
   return text;
+}
+
+/// That these are the statuses, written as by statuses().
+inline void expect(const Verdict& verdict, const std::string& expected, Outcome outcome) {
+  EXPECT_EQ(statuses(verdict), expected) << verdict.reason;
+  EXPECT_EQ(verdict.outcome, outcome) << verdict.reason;
 }
 
 /// The value of a witness's key, or "".

@@ -13,11 +13,6 @@ namespace {
 
 using enum ConditionName;
 
-void expect(const Verdict& verdict, const std::string& expected, Outcome outcome) {
-  EXPECT_EQ(statuses(verdict), expected) << verdict.reason;
-  EXPECT_EQ(verdict.outcome, outcome) << verdict.reason;
-}
-
 TEST(Conditions, GridsAreVerified) {
   expect(judge(grid_instance(3, 3), grid_triangulation(3, 3).str()), "hhs h hhhhhh hhhh h hhhh",
          Outcome::verified);

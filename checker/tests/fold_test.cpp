@@ -14,11 +14,6 @@ namespace {
 
 using enum ConditionName;
 
-void expect(const Verdict& verdict, const std::string& expected, Outcome outcome) {
-  EXPECT_EQ(statuses(verdict), expected) << verdict.reason;
-  EXPECT_EQ(verdict.outcome, outcome) << verdict.reason;
-}
-
 // --- facets.opposite: the strip 0 <= y <= 1/2 covered twice by different triangles, the rest not at all.
 // Every facet occurs twice, the volume is right, and as a complex it is a torus; only the folds at the
 // strip's edges are wrong.

@@ -43,12 +43,12 @@ rc::detail::TestParams parameters(int cases) {
   return params;
 }
 
+}  // namespace
+
 std::string test_name() {
   const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
   return std::string(info->test_suite_name()) + "." + info->name();
 }
-
-}  // namespace
 
 int effort() {
   const char* text = std::getenv("FLATDT_EFFORT");

@@ -4,8 +4,12 @@
 #include <rapidcheck.h>
 
 #include <functional>
+#include <string>
 
 namespace flatdt::property_tests {
+
+/// Suite and name of the test that is running.
+std::string test_name();
 
 /// Checks a property that draws its values itself, `cases` times FLATDT_EFFORT. Fails the current GoogleTest
 /// test with the counterexample, followed by `epilogue()`. Prints and returns the number of cases, 0 if it

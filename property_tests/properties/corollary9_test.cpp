@@ -68,12 +68,12 @@ struct Answer {
   bool below_threshold = false;
 };
 
-struct Visits {
+struct SwitchVisits {
   int met_by_part = 0;
   int met_by_all_only = 0;
 };
 
-void adding_points(const Specimen& s, Visits& visits) {
+void adding_points(const Specimen& s, SwitchVisits& visits) {
   const Answer all(s);
   Specimen part = s;
   part.points.resize((s.points.size() + 1) / 2, Vector(s.dimension()));
@@ -93,7 +93,7 @@ Domain many_points(Domain domain, long in_plane, long in_space) {
 }
 
 TEST(Corollary9, AddingPointsInThePlane) {
-  Visits visits;
+  SwitchVisits visits;
   const int cases =
       for_all({60, many_points(plane(), 160, 1)}, [&](const Specimen& s) { adding_points(s, visits); });
   if (cases == 0 || !has_fixed_seed()) return;
@@ -102,7 +102,7 @@ TEST(Corollary9, AddingPointsInThePlane) {
 }
 
 TEST(Corollary9, AddingPointsInSpace) {
-  Visits visits;
+  SwitchVisits visits;
   Domain domain = many_points(domain_of({"torocosm"}), 1, 120);
   const int cases = for_all({4, domain}, [&](const Specimen& s) { adding_points(s, visits); });
   if (cases == 0 || !has_fixed_seed()) return;
@@ -110,7 +110,7 @@ TEST(Corollary9, AddingPointsInSpace) {
 }
 
 TEST(Corollary9, FewPointsOfSpace) {
-  Visits visits;
+  SwitchVisits visits;
   for_all({8, space()}, [&](const Specimen& s) { adding_points(s, visits); });
 }
 

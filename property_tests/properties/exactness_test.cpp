@@ -74,7 +74,7 @@ std::vector<Vector> near_degenerate(const Matrix& gram, Random& random) {
   }
 }
 
-struct Visits {
+struct StageVisits {
   int zero_orientations = 0, zero_inspheres = 0, silent_filters = 0, speaking_filters = 0;
 };
 
@@ -103,12 +103,13 @@ std::array<Lift, D + 2> lifts_of(const Engine<D>& engine, const std::array<std::
 
 template <int D>
 void require_stages_agree(const ref::Instance& instance, const std::array<std::int16_t, 3>& offset,
-                          Visits& visits) {
+                          StageVisits& visits) {
   Engine<D> filtered(instance, PredicateStages::filtered);
   Engine<D> exact(instance, PredicateStages::exact_only);
   const Matrix& gram = filtered.analysis.frame.gram;
   const std::array<Lift, D + 2> lifts = lifts_of<D>(filtered, offset);
   std::vector<Vector> x;
+  x.reserve(lifts.size());
   for (const Lift& lift : lifts) x.push_back(filtered.position(lift.point));
   for (std::size_t out = 0; out < D + 2; ++out) {
     std::array<Lift, D + 1> cell;
@@ -148,7 +149,7 @@ void require_stages_agree(const ref::Instance& instance, const std::array<std::i
 }
 
 /// The specimen gives manifold, metric and coordinates; its choice gives the points.
-void stages_agree(const Specimen& s, Visits& visits) {
+void stages_agree(const Specimen& s, StageVisits& visits) {
   Random random(s.choice);
   Specimen t = s;
   t.points = near_degenerate(s.gram, random);
@@ -178,7 +179,7 @@ void same_bytes(const Specimen& s) {
 void run_stages(int cases, Domain domain) {
   domain.rules = {testing::kSmallGridRule};  // the points are replaced
   domain.max_points_in_plane = domain.max_points_in_space = 1;
-  Visits visits;
+  StageVisits visits;
   if (for_all({cases, domain}, [&](const Specimen& s) { stages_agree(s, visits); }) == 0) return;
   // The boundary was really visited, from both sides.
   EXPECT_GT(visits.zero_orientations, cases / 50);

@@ -77,11 +77,11 @@ void require_witness(const Specimen& s, const ref::Instance& instance, const Sta
   }
 }
 
-struct Visits {
+struct LoopVisits {
   int on_manifold = 0, loops = 0, two_cycles_only = 0, not_invariant = 0;
 };
 
-void both_ways(const Specimen& s, Visits& visits) {
+void both_ways(const Specimen& s, LoopVisits& visits) {
   const ref::Instance instance = instance_of(s);
   const ref::TriangulationResult result = triangulate(instance);
   const Quotient quotient(s);
@@ -164,14 +164,14 @@ TEST(Theorem7, BothWaysInThePlane) {
   Domain domain = plane();
   domain.max_points_in_plane = 45;
   domain.max_stretch_in_plane = 4;
-  Visits visits;
+  LoopVisits visits;
   if (for_all({150, domain}, [&](const Specimen& s) { both_ways(s, visits); }) == 0) return;
   EXPECT_GT(visits.on_manifold, 10);
   EXPECT_GT(visits.loops, 10);
   EXPECT_GT(visits.two_cycles_only, 10);
 }
 TEST(Theorem7, BothWaysInSpace) {
-  Visits visits;
+  LoopVisits visits;
   for_all({12, space()}, [&](const Specimen& s) { both_ways(s, visits); });
 }
 TEST(Theorem7, BothWaysWithTiesOfTheDidicosm) {
@@ -179,7 +179,7 @@ TEST(Theorem7, BothWaysWithTiesOfTheDidicosm) {
   domain.max_points_in_space = 2;
   domain.other_metrics = false;
   domain.rules = {testing::kSmallGridRule, "on-axis"};
-  Visits visits;
+  LoopVisits visits;
   if (for_all({15, domain}, [&](const Specimen& s) { both_ways(s, visits); }) == 0) return;
   EXPECT_GT(visits.not_invariant, 0);
   EXPECT_GT(visits.loops + visits.two_cycles_only, 0);

@@ -85,7 +85,7 @@ std::int64_t floor_quotient(Int128 a, std::int64_t b) {
 }
 
 /// A point p of the instance with its orbit's canonical representative c, both over one denominator.
-struct Canonical {
+struct SmallCanonical {
   Coordinates c;      // catalogue
   Coordinates frame;  // of p, in the frame
   std::uint32_t point;
@@ -99,11 +99,11 @@ class SmallSites {
 
   std::optional<std::vector<Site>> operator()() {
     if (!choose_denominators() || !find_canonical()) return std::nullopt;
-    std::sort(all_.begin(), all_.end(), [](const Canonical& a, const Canonical& b) {
+    std::sort(all_.begin(), all_.end(), [](const SmallCanonical& a, const SmallCanonical& b) {
       return a.c != b.c ? a.c < b.c : a.point < b.point;
     });
     all_.erase(std::unique(all_.begin(), all_.end(),
-                           [](const Canonical& a, const Canonical& b) { return a.c == b.c; }),
+                           [](const SmallCanonical& a, const SmallCanonical& b) { return a.c == b.c; }),
                all_.end());
     return sites();
   }
@@ -162,7 +162,7 @@ class SmallSites {
         if (!keep(wide, p[i])) return false;
       }
       Coordinates x{};
-      Canonical best{};
+      SmallCanonical best{};
       best.point = static_cast<std::uint32_t>(n);
       for (std::size_t i = 0; i < dimension(); ++i)
         if (!keep(to_catalogue_.row(i, p), x[i])) return false;
@@ -236,7 +236,7 @@ class SmallSites {
   IntegerMap from_catalogue_;
   std::vector<IntegerMap> catalogue_cosets_;
   std::vector<IntegerMap> frame_cosets_;
-  std::vector<Canonical> all_;
+  std::vector<SmallCanonical> all_;
   std::map<std::array<std::int32_t, 4>, std::shared_ptr<SiteForm>> forms_;
 };
 
