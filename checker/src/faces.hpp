@@ -23,7 +23,7 @@ struct FaceKey {
   std::array<std::uint32_t, 4> vertex{kNone, kNone, kNone, kNone};
   std::array<std::uint32_t, 3> offset{kNone, kNone, kNone};
 
-  auto operator<=>(const FaceKey&) const = default;
+  auto operator<=>(const FaceKey&) const = default;  // NOLINT(modernize-use-nullptr): none is written
 };
 
 /// The corners of a face in the order of its canonical list; corner [0] has the base lift.
@@ -72,7 +72,8 @@ struct Edge {
 };
 
 /// The faces of all cells, each in the order of the canonical lists. Subsets of a cell's corners with a
-/// repeated vertex are no faces, and a cell with such a subset has no facets.
+/// repeated vertex are no faces. The sides of a cell with such a subset are not among the facets, but they
+/// are occurrences: a facet that has two others is not paired.
 struct Faces {
   /// A facet that does not occur exactly twice: its first occurrence, and their number.
   struct Odd {
@@ -88,9 +89,10 @@ struct Faces {
     std::size_t vertices;
   };
 
-  std::vector<Edge> edges;       ///< distinct
-  std::vector<FacetPair> pairs;  ///< facets that occur exactly twice
-  std::optional<Odd> odd;        ///< the first one that does not
+  std::vector<Edge> edges;        ///< distinct
+  std::vector<FacetPair> pairs;   ///< facets that occur exactly twice
+  std::optional<Odd> odd;         ///< the first one that does not
+  std::vector<CellId> flattened;  ///< cells with a repeated vertex, in ascending order
   /// The cells that are listed earlier as well, in ascending order; complete unless a facet is odd.
   /// Law: the two occurrences of a facet have the same apex in the frame of the list iff they are of one
   /// cell.

@@ -30,6 +30,7 @@ class FaceFinder {
   /// Adds the faces whose lists have v as their base vertex.   Requires: the corners at v; ascending v.
   void add(VertexId v, const std::uint32_t* first, const std::uint32_t* last) {
     star_.load(v, first, last);
+    faces_.flattened.insert(faces_.flattened.end(), star_.flattened().begin(), star_.flattened().end());
     add_edges(v);
     add_facets(v);
     if (!faces_.bad_link) {
@@ -164,6 +165,40 @@ void append(Faces& faces, const Faces& more) {
   for (std::size_t size = 2; size < faces.parallel.size(); ++size) {
     if (!faces.parallel[size]) faces.parallel[size] = more.parallel[size];
   }
+  append(faces.flattened, more.flattened);
+}
+
+void sort_distinct(std::vector<CellId>& cells) {
+  std::sort(cells.begin(), cells.end());
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+}
+
+/// The canonical list of a facet.   Requires: its vertices are different.
+FaceKey key_of_facet(const Complex& complex, const Occurrence& occurrence) {
+  const Cell& cell = complex.cells[index(occurrence.cell)];
+  return key_of(cell, complex.offsets(cell), facet_corners(complex, occurrence), complex.corners - 1);
+}
+
+/// Facets that are sides of cells with a repeated vertex as well occur more than twice.
+void drop_sides_of_flattened_cells(const Complex& complex, Faces& faces) {
+  if (faces.flattened.empty()) return;
+  std::vector<FaceKey> sides;
+  for (const CellId c : faces.flattened) {
+    const Cell& cell = complex.cells[index(c)];
+    for (std::uint8_t facet = 0; facet < complex.corners; ++facet) {
+      Corners corners{};
+      std::size_t n = 0;
+      for (std::uint8_t i = 0; i < complex.corners; ++i) {
+        if (i != facet) corners[n++] = i;
+      }
+      if (repeats_vertex(cell, complex.offsets(cell), corners, n)) continue;
+      sides.push_back(key_of_facet(complex, {c, facet, 0, 0}));
+    }
+  }
+  std::sort(sides.begin(), sides.end());
+  std::erase_if(faces.pairs, [&](const FacetPair& pair) {
+    return std::binary_search(sides.begin(), sides.end(), key_of_facet(complex, pair.first));
+  });
 }
 
 }  // namespace
@@ -181,11 +216,11 @@ Faces find_faces(const Complex& complex, unsigned jobs) {
   });
   Faces faces = std::move(parts.front());
   for (std::size_t r = 1; r < parts.size(); ++r) append(faces, parts[r]);
-  std::vector<CellId>& repeated = faces.repeated_cells;
-  std::sort(repeated.begin(), repeated.end());
-  repeated.erase(std::unique(repeated.begin(), repeated.end()), repeated.end());
+  sort_distinct(faces.repeated_cells);
+  sort_distinct(faces.flattened);
+  drop_sides_of_flattened_cells(complex, faces);
   faces.count[2] = faces.edges.size();
-  faces.count[complex.corners] = complex.cells.size() - repeated.size();
+  faces.count[complex.corners] = complex.cells.size() - faces.repeated_cells.size();
   return faces;
 }
 

@@ -13,7 +13,7 @@
 
 namespace flatdt::checker {
 
-__extension__ typedef __int128 Int128;
+__extension__ using Int128 = __int128;
 
 inline constexpr std::int64_t kFixedLimit = std::int64_t{1} << 61;
 

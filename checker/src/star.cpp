@@ -70,7 +70,11 @@ void Star::add(VertexId vertex, std::uint32_t corner) {
     for (std::size_t i = 0; i < k; ++i) repeated = repeated || simplex.vertex[i] == n;
     simplex.vertex[k++] = n;
   }
-  if (!repeated) simplices_.push_back(simplex);
+  if (repeated) {
+    flattened_.push_back(make_id<CellId>(corner >> 2));
+  } else {
+    simplices_.push_back(simplex);
+  }
 }
 
 template <std::size_t D>
@@ -106,6 +110,7 @@ void Star::load_in(VertexId vertex, const std::uint32_t* first, const std::uint3
   lifts_.clear();
   loops_.clear();
   simplices_.clear();
+  flattened_.clear();
   constexpr std::ptrdiff_t kAhead = 8;  // the cells at a vertex lie apart: each is fetched before its turn
   for (; first != last; ++first) {
     if (last - first > kAhead) __builtin_prefetch(&complex_.cells[first[kAhead] >> 2]);

@@ -69,8 +69,10 @@ class Star {
   [[nodiscard]] const std::vector<Lift>& lifts() const { return lifts_; }
   /// For each loop at each corner: the lesser of its two offsets.
   [[nodiscard]] const std::vector<ElementId>& loops() const { return loops_; }
-  /// Of the cells without a repeated vertex; those with one have no facets.
+  /// Of the cells without a repeated vertex.
   [[nodiscard]] const std::vector<Simplex>& simplices() const { return simplices_; }
+  /// The cells with a repeated vertex, once for each of their corners here.
+  [[nodiscard]] const std::vector<CellId>& flattened() const { return flattened_; }
   [[nodiscard]] const std::vector<Facet>& facets() const { return facets_; }
   [[nodiscard]] std::uint32_t apex(const Side& side) const { return simplices_[side.simplex].vertex[side.k]; }
 
@@ -97,6 +99,7 @@ class Star {
   std::vector<Lift> lifts_;
   std::vector<ElementId> loops_;
   std::vector<Simplex> simplices_;
+  std::vector<CellId> flattened_;
   std::vector<Facet> facets_;
   std::array<std::uint16_t, kSmall * kSmall> small_{};  // by ends: the number of the last facet with them
   IdMap large_;                                         // the same for larger stars

@@ -12,7 +12,7 @@
 
 namespace flatdt::checker {
 
-__extension__ typedef unsigned __int128 DoubleLimb;
+__extension__ using DoubleLimb = unsigned __int128;
 
 template <std::size_t N>
 struct Wide {

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <string>
 
 #include "build.hpp"
@@ -110,6 +112,20 @@ TEST(Conditions, RepeatedVertexInACell) {
   EXPECT_EQ(v[facets_paired].status, Status::fails);
   EXPECT_EQ(witness(v, facets_paired, "reason"), "cell-with-repeated-vertex");
   EXPECT_EQ(v.outcome, Outcome::refuted);
+}
+
+/// Its sides are occurrences: a facet with two others is not one that occurs exactly twice, whatever their
+/// sides.
+TEST(Conditions, SidesOfACellWithARepeatedVertexAreOccurrences) {
+  const std::string folder = FLATDT_CORPORA "/regressions/";
+  const auto text = [&](const char* name) {
+    std::ifstream in(folder + name);
+    EXPECT_TRUE(in) << name;
+    return std::string(std::istreambuf_iterator<char>(in), {});
+  };
+  const Verdict v =
+      judge(text("sides-of-flattened-cells.instance"), text("sides-of-flattened-cells.triangulation"));
+  expect(v, "hhh h fffhfs hhhs s ssss", Outcome::refuted);
 }
 
 // --- facets.paired

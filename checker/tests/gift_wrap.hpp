@@ -15,7 +15,7 @@
 
 namespace flatdt::checker::test {
 
-__extension__ typedef __int128 Wide;
+__extension__ using Wide = __int128;
 
 struct Tie : std::runtime_error {
   Tie() : std::runtime_error("cospherical points") {}

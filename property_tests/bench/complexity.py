@@ -15,7 +15,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 MANIFOLDS = ["torocosm"] + OTHER_MANIFOLDS
 SIZES = {
     "uniform": [1000, 2000, 5000, 10000, 20000, 50000, 100000, 200000, 500000, 1000000],
-    "moment-curve": [25, 50, 100, 150, 200, 300, 400],
+    "moment-curve": [25, 50, 100, 150, 200, 300, 400, 600, 800, 1200],
 }
 COLUMNS = ["manifold", "points", "user_seconds", "least", "most", "runs", "cells"]
 
@@ -83,7 +83,7 @@ def main():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--quick", action="store_true", help="up to 10,000 points, 100 of the moment curve")
     parser.add_argument("--max-points", type=int, help="largest uniform set, default 1,000,000")
-    parser.add_argument("--max-curve-points", type=int, help="largest set of the moment curve, default 400")
+    parser.add_argument("--max-curve-points", type=int, help="largest set of the moment curve, default 1,200")
     parser.add_argument("--family", choices=sorted(SIZES), action="append", help="only this one")
     parser.add_argument("--repetitions", type=int, default=5, help="runs of each set, default 5")
     parser.add_argument("--budget", type=float, default=1800, metavar="SECONDS",
@@ -93,7 +93,7 @@ def main():
     parser.add_argument("--programs", type=pathlib.Path, default=ROOT / "build" / "bench", help=argparse.SUPPRESS)
     options = parser.parse_args()
     most = {"uniform": options.max_points or (10000 if options.quick else 1000000),
-            "moment-curve": options.max_curve_points or (100 if options.quick else 400)}
+            "moment-curve": options.max_curve_points or (100 if options.quick else 1200)}
     options.output.mkdir(parents=True, exist_ok=True)
     for family in options.family or SIZES:
         if not options.plot:
