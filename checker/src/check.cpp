@@ -17,7 +17,7 @@ using enum ConditionName;
 
 void fail_group(Verdict& verdict, const Instance& instance, ConditionName name, Witness witness) {
   verdict.reason = instance.group_location + ": " + std::string(to_string(name)) + " fails:";
-  for (const auto& [key, value] : witness) verdict.reason += " " + key + "=" + value;
+  for (const auto& [key, value] : witness) verdict.reason.append(" ").append(key).append("=").append(value);
   verdict[name] = {Status::fails, std::move(witness)};
 }
 

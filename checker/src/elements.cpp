@@ -42,12 +42,9 @@ ElementId ElementTable::intern(const Element& element) {
     throw ResourceLimit("more than 2^32 - 1 group elements");
   }
   const auto next = make_id<ElementId>(elements_.size());
-  ElementId id = next;
-  if (const std::optional<std::uint64_t> key = packed(element)) {
-    id = make_id<ElementId>(small_.insert(*key, static_cast<std::uint32_t>(next)));
-  } else {
-    id = large_.try_emplace(element, next).first->second;
-  }
+  const std::optional<std::uint64_t> key = packed(element);
+  const ElementId id = key ? make_id<ElementId>(small_.insert(*key, static_cast<std::uint32_t>(next)))
+                           : large_.try_emplace(element, next).first->second;
   if (id == next) elements_.push_back(element);
   return id;
 }

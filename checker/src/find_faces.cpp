@@ -11,15 +11,6 @@
 namespace flatdt::checker {
 namespace {
 
-template <std::size_t N>
-int parity_of(const Corners& corners) {
-  unsigned inversions = 0;
-  for (std::size_t i = 0; i < N; ++i) {
-    for (std::size_t j = i + 1; j < N; ++j) inversions += corners[i] > corners[j] ? 1 : 0;
-  }
-  return inversions % 2 == 0 ? 1 : -1;
-}
-
 class FaceFinder {
  public:
   /// `corners`: how many there will be.
@@ -121,17 +112,13 @@ class FaceFinder {
 
   [[nodiscard]] Occurrence occurrence(const Found& found, const Star::Side& side) const {
     const Star::Simplex& simplex = star_.simplices()[side.simplex];
-    const std::size_t n = complex_.corners;
-    const std::uint8_t facet = simplex.other(side.k);
-    Corners corners{simplex.base()};
-    std::size_t filled = 1;
-    for (std::size_t i = 0; i + 1 < n; ++i) {
-      if (i != side.k) corners[filled++] = simplex.other(i);
-    }
-    if (n == 4 && simplex.vertex[side.k == 0 ? 1 : 0] != found.x) std::swap(corners[1], corners[2]);
-    corners[n - 1] = facet;
-    return {make_id<CellId>(simplex.cell()), facet, simplex.base(),
-            static_cast<std::int8_t>(n == 4 ? parity_of<4>(corners) : parity_of<3>(corners))};
+    const std::size_t others = complex_.corners - 1;
+    // From the corners in ascending order, the base moves to the front, the apex to the end, and the two of
+    // the list between them may change places.
+    const bool swapped = others == 3 && simplex.vertex[side.k == 0 ? 1 : 0] != found.x;
+    const std::size_t transpositions = simplex.base() + (others - 1 - side.k) + (swapped ? 1 : 0);
+    return {make_id<CellId>(simplex.cell()), simplex.other(side.k), simplex.base(),
+            static_cast<std::int8_t>(transpositions % 2 == 0 ? 1 : -1)};
   }
 
   [[nodiscard]] static FaceKey key_of(VertexId v, const Found& found) {

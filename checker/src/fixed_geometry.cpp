@@ -82,19 +82,18 @@ std::optional<Wide<3>> FixedGeometry::determinant(const std::array<Lift, 4>& cel
 // roundings each; 24 * 22 u is well below 2^-43.
 template <std::size_t D>
 std::optional<Sign> FixedGeometry::sign_by_doubles(const Rows& rows) const {
-  std::array<std::array<double, D>, D + 1> p;
-  std::array<double, D + 1> norm;
+  std::array<std::array<double, D + 1>, D> p;  // by coordinates, so that two rows are computed at a time
+  std::array<double, D + 1> norm{};
   std::array<double, D> most{};
-  for (std::size_t k = 0; k <= D; ++k) {
-    for (std::size_t i = 0; i < D; ++i) {
-      p[k][i] = static_cast<double>(rows[k][i]);
-      most[i] = std::max(most[i], std::fabs(p[k][i]));
-    }
-    norm[k] = 0;
-    for (std::size_t i = 0; i < D; ++i) {
+  for (std::size_t i = 0; i < D; ++i) {
+    for (std::size_t k = 0; k <= D; ++k) p[i][k] = static_cast<double>(rows[k][i]);
+    for (std::size_t k = 0; k <= D; ++k) most[i] = std::max(most[i], std::fabs(p[i][k]));
+  }
+  for (std::size_t i = 0; i < D; ++i) {
+    for (std::size_t k = 0; k <= D; ++k) {
       double image = 0;
-      for (std::size_t j = 0; j < D; ++j) image += gram_double_[i][j] * p[k][j];
-      norm[k] += image * p[k][i];
+      for (std::size_t j = 0; j < D; ++j) image += gram_double_[i][j] * p[j][k];
+      norm[k] += image * p[i][k];
     }
   }
   double bound = 0;  // of all norms, then of all products
@@ -107,13 +106,13 @@ std::optional<Sign> FixedGeometry::sign_by_doubles(const Rows& rows) const {
   double det = 0;
   if constexpr (D == 2) {
     for (std::size_t k = 0; k < 3; ++k) {
-      const auto& a = p[(k + 1) % 3];
-      const auto& b = p[(k + 2) % 3];
-      det += (a[0] * b[1] - a[1] * b[0]) * norm[k];
+      const std::size_t a = (k + 1) % 3;
+      const std::size_t b = (k + 2) % 3;
+      det += (p[0][a] * p[1][b] - p[1][a] * p[0][b]) * norm[k];
     }
   } else {
     for (const auto& [i, j, k, l] : kSplits) {
-      det += (p[i][0] * p[j][1] - p[i][1] * p[j][0]) * (p[k][2] * norm[l] - norm[k] * p[l][2]);
+      det += (p[0][i] * p[1][j] - p[1][i] * p[0][j]) * (p[2][k] * norm[l] - norm[k] * p[2][l]);
     }
   }
   constexpr double kExact = 0x1p48;  // 24 * 2^48 < 2^53: all values are integers that a double holds

@@ -12,6 +12,8 @@ namespace {
 constexpr std::size_t kBufferBytes = 1 << 13;
 static_assert(kBufferBytes > kMaxTokenBytes);
 
+constexpr char kEnd = '\0';  // of the bytes in the buffer
+
 bool is_space(char c) {
   return c == ' ' || (c >= '\t' && c <= '\r');
 }  // tab LF VT FF CR are 9..13
@@ -23,7 +25,9 @@ bool is_token_byte(char c) {
 }  // namespace
 
 Lexer::Lexer(std::istream& in, std::string file)
-    : in_(in), file_(std::move(file)), buffer_(std::make_unique_for_overwrite<char[]>(kBufferBytes)) {}
+    : in_(in), file_(std::move(file)), buffer_(std::make_unique_for_overwrite<char[]>(kBufferBytes + 1)) {
+  buffer_[0] = kEnd;
+}
 
 /// Moves the bytes from `keep` on to the front of the buffer and reads more behind them; false at the end of
 /// the file. At most kMaxTokenBytes are kept, so there is room.
@@ -36,6 +40,7 @@ bool Lexer::refill(std::size_t keep) {
   const auto room = static_cast<std::streamsize>(kBufferBytes - filled_);
   const std::streamsize read = in_.rdbuf()->sgetn(buffer_.get() + filled_, room);
   filled_ += static_cast<std::size_t>(read);
+  buffer_[filled_] = kEnd;
   return read > 0;
 }
 
@@ -102,25 +107,24 @@ void Lexer::expect(std::string_view word) {
 /// The most frequent tokens: white space, at most 18 digits (a value below 10^18) and white space, all of it
 /// in the buffer. Anything else is left to next(), and nothing of it consumed.
 std::optional<std::uint64_t> Lexer::take_short_count() {
-  constexpr std::size_t kMostDigits = 18;
-  std::size_t begin = position_;
+  constexpr std::ptrdiff_t kMostDigits = 18;
+  const char* at = buffer_.get() + position_;
   std::size_t lines = 0;
-  for (; begin < filled_ && is_space(buffer_[begin]); ++begin) lines += buffer_[begin] == '\n' ? 1 : 0;
-  const std::size_t last = std::min(filled_, begin + kMostDigits);
-  std::size_t end = begin;
-  std::uint64_t value = 0;
-  for (; end < last && buffer_[end] >= '0' && buffer_[end] <= '9'; ++end) {
-    value = 10 * value + static_cast<std::uint64_t>(buffer_[end] - '0');
-  }
-  if (end == begin || end == filled_ || !is_space(buffer_[end])) return std::nullopt;
-  token_ = {buffer_.get() + begin, end - begin};
+  for (; is_space(*at); ++at) lines += *at == '\n' ? 1 : 0;
+  const char* const begin = at;
+  std::uint64_t value = 0;  // without meaning for more digits
+  for (; *at >= '0' && *at <= '9'; ++at) value = 10 * value + static_cast<std::uint64_t>(*at - '0');
+  const std::ptrdiff_t digits = at - begin;
+  if (digits == 0 || digits > kMostDigits || !is_space(*at)) return std::nullopt;
+  token_ = {begin, static_cast<std::size_t>(digits)};
   token_line_ = line_ += lines;
-  position_ = end;
+  position_ = static_cast<std::size_t>(at - buffer_.get());
   return value;
 }
 
-std::uint64_t Lexer::count(std::string_view what, std::uint64_t least, std::uint64_t most) {
-  std::optional<std::uint64_t> value = take_short_count();
+/// `value`: of the token, if that is taken.
+std::uint64_t Lexer::other_count(std::optional<std::uint64_t> value, std::string_view what,
+                                 std::uint64_t least, std::uint64_t most) {
   if (!value) {
     value = 0;
     const std::string_view digits = next();

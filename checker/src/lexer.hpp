@@ -29,7 +29,10 @@ class Lexer {
   /// The next token, which must be `word`.
   void expect(std::string_view word);
   /// The next token as [0-9]+ of value in [least, most]; `what` names it in errors.
-  std::uint64_t count(std::string_view what, std::uint64_t least, std::uint64_t most);
+  std::uint64_t count(std::string_view what, std::uint64_t least, std::uint64_t most) {
+    const std::optional<std::uint64_t> value = take_short_count();
+    return value && least <= *value && *value <= most ? *value : other_count(value, what, least, most);
+  }
   /// The next token as a NUMBER, into `value`.
   void number(std::string_view what, Rational& value);
   /// Fails unless the file has ended.
@@ -56,11 +59,14 @@ class Lexer {
   void skip_space();
   [[nodiscard]] std::size_t token_bytes_from_here() const;
   std::optional<std::uint64_t> take_short_count();
+  std::uint64_t other_count(std::optional<std::uint64_t> value, std::string_view what, std::uint64_t least,
+                            std::uint64_t most);
 
   std::istream& in_;
   std::string file_;
-  std::string_view token_;          // in buffer_
-  std::unique_ptr<char[]> buffer_;  // not filled with zeros: files are many and small in campaigns
+  std::string_view token_;  // in buffer_
+  // Not filled with zeros: files are many and small in campaigns. At filled_ is a byte of no token.
+  std::unique_ptr<char[]> buffer_;
   std::size_t position_ = 0;
   std::size_t filled_ = 0;
   std::size_t line_ = 1;        // of the next byte

@@ -1,5 +1,4 @@
 // The parser of instance files.   Source: FORMAT.md, "Instance".
-#include <algorithm>
 #include <string>
 
 #include "catalogue.hpp"
@@ -8,6 +7,7 @@
 #include "lexer.hpp"
 #include "linear.hpp"
 #include "parse_element.hpp"
+#include "reserve_ahead.hpp"
 
 namespace flatdt::checker {
 namespace {
@@ -91,9 +91,8 @@ Instance parse_instance(std::istream& in, const std::string& file) {
         lexer.found());
   }
   const std::uint64_t n = lexer.count("the number of points", 1, kMaxPoints);
-  constexpr std::uint64_t kFew = 64;
-  instance.points.reserve(std::min(n, kFew));  // not n: memory as read, not as claimed
   for (std::uint64_t i = 0; i < n; ++i) {
+    reserve_ahead(instance.points, n);
     Vec<Rational>& point = instance.points.emplace_back();
     for (std::size_t k = 0; k < static_cast<std::size_t>(d); ++k) lexer.number("a coordinate", point[k]);
   }

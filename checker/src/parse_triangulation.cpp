@@ -1,12 +1,14 @@
 // The parser of triangulation files.   Source: FORMAT.md, "Triangulation".
 #include <map>
 #include <string>
+#include <string_view>
 
 #include "flatdt/checker/errors.hpp"
 #include "flatdt/checker/input.hpp"
 #include "id_map.hpp"
 #include "lexer.hpp"
 #include "parse_element.hpp"
+#include "reserve_ahead.hpp"
 
 namespace flatdt::checker {
 namespace {
@@ -37,7 +39,7 @@ class NumberPool {
   std::map<std::string, std::uint32_t> others_;
 };
 
-std::uint32_t parse_index(Lexer& lexer, const char* what, std::size_t size) {
+inline std::uint32_t parse_index(Lexer& lexer, std::string_view what, std::size_t size) {
   if (size == 0) {
     lexer.next();
     lexer.fail(std::string(what) + " out of range: there are none, found " + lexer.found());
@@ -83,6 +85,7 @@ Triangulation parse_triangulation(std::istream& in, const std::string& file, con
   lexer.expect("cells");
   const std::uint64_t cell_count = lexer.count("the number of cells", 0, kMaxCells);
   for (std::uint64_t c = 0; c < cell_count; ++c) {
+    reserve_ahead(result.cells, cell_count);
     FileCell& cell = result.cells.emplace_back();
     for (std::size_t i = 0; i <= d; ++i) {
       cell[i].point = parse_index(lexer, "a point index", instance.points.size());

@@ -13,6 +13,7 @@
 namespace flatdt::checker {
 
 __extension__ using DoubleLimb = unsigned __int128;
+__extension__ using SignedDoubleLimb = __int128;
 
 template <std::size_t N>
 struct Wide {
@@ -81,6 +82,13 @@ template <std::size_t A, std::size_t B>
   for (std::size_t j = 0; j < B; ++j) correction_a.limb[A + j] = b.limb[j] & a_mask;
   for (std::size_t i = 0; i < A; ++i) correction_b.limb[B + i] = a.limb[i] & b_mask;
   return product - correction_a - correction_b;
+}
+
+/// The same of single limbs, which the machine multiplies.
+[[nodiscard]] inline Wide<2> operator*(const Wide<1>& a, const Wide<1>& b) {
+  const SignedDoubleLimb product =
+      SignedDoubleLimb{static_cast<std::int64_t>(a.limb[0])} * static_cast<std::int64_t>(b.limb[0]);
+  return {{static_cast<std::uint64_t>(product), static_cast<std::uint64_t>(product >> 64)}};
 }
 
 template <std::size_t N>
