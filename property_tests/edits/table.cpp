@@ -36,8 +36,9 @@ std::string counts(const Row& row) {
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < row.failed.size(); ++i)
     if (row.failed[i] > 0) order.push_back(i);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return row.failed[a] > row.failed[b]; });
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return row.failed[a] != row.failed[b] ? row.failed[a] > row.failed[b] : a < b;
+  });
   std::string text;
   for (const std::size_t i : order)
     text += (text.empty() ? "" : ", ") + std::string(to_string(static_cast<checker::ConditionName>(i))) +
