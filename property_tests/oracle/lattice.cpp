@@ -50,21 +50,43 @@ std::vector<Vector> Lattice::basis() const {
   return rows;
 }
 
+namespace {
+
+/// Makes `a` the candidate if that is shorter.
+bool shorten(Vector& a, const Vector& candidate, const Matrix& metric) {
+  if (square(metric, candidate) >= square(metric, a)) return false;
+  a = candidate;
+  return true;
+}
+
+/// Makes basis[i] shorter by multiples of one other vector, or by a sum of the two others, if it can.
+bool shorten(std::vector<Vector>& basis, std::size_t i, const Matrix& metric) {
+  bool shorter = false;
+  Vector& a = basis[i];
+  for (std::size_t k = 0; k < basis.size(); ++k) {
+    if (k == i) continue;
+    const Vector& b = basis[k];
+    const Integer m = nearest_integer(pairing(a, image(metric, b)) / square(metric, b));
+    shorter = shorten(a, minus(a, times(m, b)), metric) || shorter;
+  }
+  if (basis.size() < 3) return shorter;
+  const Vector& b = basis[(i + 1) % 3];
+  const Vector& c = basis[(i + 2) % 3];
+  for (const int s : {-1, 1}) {
+    for (const int t : {-1, 1})
+      shorter = shorten(a, plus(a, plus(times(s, b), times(t, c))), metric) || shorter;
+  }
+  return shorter;
+}
+
+}  // namespace
+
 std::vector<Vector> short_basis(const Lattice& lattice, const Matrix& metric) {
   std::vector<Vector> basis = lattice.basis();
   bool shorter = true;
   while (shorter) {
     shorter = false;
-    for (Vector& a : basis) {
-      for (const Vector& b : basis) {
-        if (&a == &b) continue;
-        const Integer m = nearest_integer(pairing(a, image(metric, b)) / square(metric, b));
-        const Vector candidate = minus(a, times(m, b));
-        if (square(metric, candidate) >= square(metric, a)) continue;
-        a = candidate;
-        shorter = true;
-      }
-    }
+    for (std::size_t i = 0; i < basis.size(); ++i) shorter = shorten(basis, i, metric) || shorter;
   }
   std::sort(basis.begin(), basis.end(),
             [&](const Vector& a, const Vector& b) { return square(metric, a) < square(metric, b); });

@@ -31,7 +31,8 @@ class Lattice {
   std::array<std::optional<Vector>, 3> basis_;
 };
 
-/// A basis in which no vector becomes shorter by a multiple of another, the shortest first.
+/// A basis in which no vector becomes shorter by a multiple of another, or by the two others with any signs,
+/// the shortest first. By multiples alone, a vector may be missed that is shorter by any factor.
 /// Termination: each step shortens a vector of a discrete set. Only speed depends on the basis being short.
 [[nodiscard]] std::vector<Vector> short_basis(const Lattice& lattice, const Matrix& metric);
 

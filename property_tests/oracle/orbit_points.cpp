@@ -44,11 +44,23 @@ Rational OrbitPoints::vertex_of(const Vector& shift, std::size_t level, const Mu
   return at;
 }
 
-/// All n with |n + shift|^2 at most the budget, where coordinates above `level` are chosen and paid for.
-void OrbitPoints::enumerate(const Vector& shift, std::size_t level, const Rational& budget, Multiples& chosen,
-                            std::vector<Multiples>& found) const {
+/// All n with |n + shift|^2 at most the budget, where coordinates above `level` are chosen and paid for; of
+/// those that differ in the last coordinate alone, perhaps only the nearest.
+void OrbitPoints::enumerate(const Vector& shift, Line line, std::size_t level, const Rational& budget,
+                            Multiples& chosen, std::vector<Multiples>& found) const {
   const Rational vertex = vertex_of(shift, level, chosen);
   const Integer start = floor_of(vertex);
+  if (level == 0 && line == Line::closest) {
+    const Rational below = vertex - start;
+    const Rational above = 1 - below;
+    for (const bool next : {false, true}) {
+      const Rational& off = next ? above : below;
+      if (off > (next ? below : above) || diagonal_[0] * off * off > budget) continue;
+      chosen[0] = next ? Integer(start + 1) : start;
+      found.push_back(chosen);
+    }
+    return;
+  }
   for (const int step : {-1, 1}) {
     for (Integer n = step < 0 ? start : Integer(start + 1);; n += step) {
       const Rational off = n - vertex;
@@ -58,7 +70,7 @@ void OrbitPoints::enumerate(const Vector& shift, std::size_t level, const Ration
       if (level == 0)
         found.push_back(chosen);
       else
-        enumerate(shift, level - 1, rest, chosen, found);
+        enumerate(shift, line, level - 1, rest, chosen, found);
     }
   }
 }
@@ -76,13 +88,13 @@ Rational OrbitPoints::greedy_square(const Vector& shift) const {
   return sum;
 }
 
-std::vector<OrbitPoint> OrbitPoints::within(const Vector& place, const Rational& limit) const {
+std::vector<OrbitPoint> OrbitPoints::within(const Vector& place, const Rational& limit, Line line) const {
   const Vector at = image(to_coordinates_, place);
   std::vector<OrbitPoint> result;
   for (const Class& c : classes_) {
     Multiples chosen;
     std::vector<Multiples> found;
-    enumerate(shift_of(c, at), static_cast<std::size_t>(dimension_) - 1, limit, chosen, found);
+    enumerate(shift_of(c, at), line, static_cast<std::size_t>(dimension_) - 1, limit, chosen, found);
     for (const Multiples& n : found) {
       Vector v{};
       for (std::size_t i = 0; i < basis_.size(); ++i) v = plus(v, times(n[i], basis_[i]));
@@ -101,7 +113,7 @@ std::vector<OrbitPoint> OrbitPoints::nearest(const Vector& place) const {
   }
   std::vector<OrbitPoint> result;
   std::optional<Rational> least;
-  for (OrbitPoint& p : within(place, *limit)) {
+  for (OrbitPoint& p : within(place, *limit, Line::closest)) {
     const Rational s = square(metric_, minus(p.position, place));
     if (least && s > *least) continue;
     if (!least || s < *least) result.clear();

@@ -26,10 +26,13 @@ class OrbitPoints {
   [[nodiscard]] const std::vector<std::size_t>& representatives() const { return representatives_; }
   /// A short basis of the lattice.
   [[nodiscard]] const std::vector<Vector>& basis() const { return basis_; }
-  /// All points of GP at the least distance from a place; at least one.
+  /// All points of GP at the least distance from a place; at least one.   Cost: independent of how short the
+  /// shortest vector is.
   [[nodiscard]] std::vector<OrbitPoint> nearest(const Vector& place) const;
   /// All points of GP whose squared distance from a place is at most `limit`.
-  [[nodiscard]] std::vector<OrbitPoint> within(const Vector& place, const Rational& limit) const;
+  [[nodiscard]] std::vector<OrbitPoint> within(const Vector& place, const Rational& limit) const {
+    return within(place, limit, Line::all);
+  }
 
  private:
   /// The lattice translates of one point.
@@ -41,8 +44,11 @@ class OrbitPoints {
   };
   using Multiples = checker::Vec<Integer>;
 
-  void enumerate(const Vector& shift, std::size_t level, const Rational& budget, Multiples& chosen,
+  /// What is found of each line of translates along the shortest vector.
+  enum class Line { all, closest };
+  void enumerate(const Vector& shift, Line line, std::size_t level, const Rational& budget, Multiples& chosen,
                  std::vector<Multiples>& found) const;
+  [[nodiscard]] std::vector<OrbitPoint> within(const Vector& place, const Rational& limit, Line line) const;
   [[nodiscard]] Rational greedy_square(const Vector& shift) const;
   /// Where the square of level `level` vanishes, given the multiples chosen at higher levels.
   [[nodiscard]] Rational vertex_of(const Vector& shift, std::size_t level, const Multiples& chosen) const;

@@ -218,6 +218,51 @@ TEST(OrbitPoints, WithinABall) {
   for (const OrbitPoint& p : found) EXPECT_EQ(image(p.element, given.points[p.point]), p.position);
 }
 
+/// The nearest points are those within their distance, ties among them.
+TEST(OrbitPoints, NearestToPlaces) {
+  const checker::Instance given =
+      instance("dimension 2 manifold klein-bottle metric 1/9 0 7 points 2 1/10 1/5 3/4 1/2");
+  const std::optional<Group> group = generated_group(2, given.generators, given.metric);
+  ASSERT_TRUE(group.has_value());
+  const OrbitPoints points(*group, given.metric, given.points);
+  std::size_t ties = 0;
+  for (int i = 0; i < 20; ++i) {
+    for (int j = 0; j < 10; ++j) {
+      const Vector place{Rational(i, 20), Rational(j, 10), 0};
+      const std::vector<OrbitPoint> nearest = points.nearest(place);
+      const Rational least = square(given.metric, minus(nearest.front().position, place));
+      EXPECT_EQ(nearest.size(), points.within(place, least).size());
+      for (const OrbitPoint& p : nearest) EXPECT_EQ(square(given.metric, minus(p.position, place)), least);
+      if (nearest.size() > 1) ++ties;
+    }
+  }
+  EXPECT_GT(ties, 0U);
+}
+
+/// Here every vector is as short as multiples of another make it, and yet the sum of three is 10^8 times
+/// shorter.
+TEST(OrbitPoints, AShortSumOfThreeVectors) {
+  const checker::Instance given = instance(
+      "dimension 3 generators 2  1 0 0 1 0 1 0 0 0 0 1 0   -1 1 4 2/3 -1 0 2 0 0 0 1 1/3  metric "
+      "9007199352092264/3 -4503599676046132/3 -18014398704184528/3 9007199352092264/3 9007199352092264/3 "
+      "4722366533909748999091/393216  points 1 0 0 0");
+  const std::optional<Group> group = generated_group(3, given.generators, given.metric);
+  ASSERT_TRUE(group.has_value());
+  const OrbitPoints points(*group, given.metric, given.points);
+  EXPECT_LT(square(given.metric, points.basis().front()), 1);
+  EXPECT_EQ(points.nearest({q("1/3"), q("1/5"), q("1/7")}).size(), 1U);
+}
+
+/// Lines of 10^9 translates inside the ball are not gone through one by one.
+TEST(OrbitPoints, NearestInALongLattice) {
+  const checker::Instance given =
+      instance("dimension 2 manifold torus metric 1/1000000000000000000 0 1 points 1 0 0");
+  const std::optional<Group> group = generated_group(2, given.generators, given.metric);
+  ASSERT_TRUE(group.has_value());
+  const OrbitPoints points(*group, given.metric, given.points);
+  EXPECT_EQ(points.nearest({q("1/2"), q("1/2"), 0}).size(), 4U);
+}
+
 TEST(Group, OrderOfGeneratorsAndRedundantOnes) {
   // The tetracosm in one screw and one translation, and with generators that say the same again.
   const checker::Instance a = instance(

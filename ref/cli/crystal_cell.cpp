@@ -45,8 +45,10 @@ Rational cosine(const Rational& degrees) {
   return sum;
 }
 
-/// The square root rounded down to kWorkingDigits decimals. Requires: value >= 0.
+/// The square root rounded down to kWorkingDigits decimals; zero for a value that only rounding made
+/// negative.
 Rational square_root(const Rational& value) {
+  if (value.sign() == Sign::negative) return 0;
   const Integer scaled = floor(value * power_of_ten(2 * kWorkingDigits));
   mpz_class root;
   mpz_sqrt(root.get_mpz_t(), scaled.mpz().get_mpz_t());
@@ -57,9 +59,23 @@ struct Cell {
   std::array<Rational, 3> length, cosine;  // cosines of alpha, beta, gamma
 };
 
+[[noreturn]] void refuse_angles(const std::array<std::string, 6>& text) {
+  throw InvalidInput("no cell has the angles " + text[3] + ", " + text[4] + ", " + text[5] + " degrees");
+}
+
+/// Law: three angles between 0 and 180 degrees are those between the edges of a cell that is not flat iff
+/// each is less than the sum of the others and all are less than 360 together (the sides of a spherical
+/// triangle). In degrees, exactly: the rounded Gram matrix of a flat cell may be positive definite.
+bool are_angles_of_a_cell(const std::array<Rational, 3>& degrees) {
+  const auto& [alpha, beta, gamma] = degrees;
+  return alpha < beta + gamma && beta < gamma + alpha && gamma < alpha + beta &&
+         alpha + beta + gamma < Rational(360);
+}
+
 Cell read_cell(const std::array<std::string, 6>& text) {
   static const std::array<const char*, 6> kNames = {"a", "b", "c", "alpha", "beta", "gamma"};
   Cell cell;
+  std::array<Rational, 3> degrees;
   for (std::size_t i = 0; i < 6; ++i) {
     const std::string what = std::string("cell parameter ") + kNames[i];
     const Rational value = exact_decimal(text[i], what);
@@ -70,9 +86,11 @@ Cell read_cell(const std::array<std::string, 6>& text) {
     } else {
       if (value.sign() != Sign::positive || value >= Rational(180))
         throw InvalidInput(what + " is " + text[i] + ": an angle must be between 0 and 180 degrees");
+      degrees[i - 3] = value;
       cell.cosine[i - 3] = cosine(value);
     }
   }
+  if (!are_angles_of_a_cell(degrees)) refuse_angles(text);
   return cell;
 }
 
@@ -130,8 +148,7 @@ Matrix cell_metric(const std::array<std::string, 6>& text) {
     }
     gram(static_cast<int>(i), static_cast<int>(i)) = cell.length[i] * cell.length[i];
   }
-  if (!is_positive_definite(gram))
-    throw InvalidInput("no cell has the angles " + text[3] + ", " + text[4] + ", " + text[5] + " degrees");
+  if (!is_positive_definite(gram)) refuse_angles(text);
   return gram;
 }
 
@@ -140,7 +157,7 @@ Isometry cell_fractionalisation(const std::array<std::string, 6>& text) {
   const auto& [a, b, c] = cell.length;
   const auto& [cos_alpha, cos_beta, cos_gamma] = cell.cosine;
   const Rational one(1);
-  const Rational sin_gamma = square_root(one - cos_gamma * cos_gamma);
+  const Rational sin_gamma = square_root(one - cos_gamma * cos_gamma);  // cosines are good to 10^-50
   // The volume of a cell with unit edges.
   const Rational volume = square_root(one - cos_alpha * cos_alpha - cos_beta * cos_beta -
                                       cos_gamma * cos_gamma + Rational(2) * cos_alpha * cos_beta * cos_gamma);

@@ -129,6 +129,9 @@ refuse_cif "cell parameter alpha" "5 6 7 0 90 90" "P 1" ""
 refuse_cif "cell parameter beta" "5 6 7 90 180 90" "P 1" ""
 refuse_cif "no cell has the angles" "5 6 7 60 60 120" "P 1" ""
 refuse_cif "no cell has the angles" "5 6 7 20 30 120" "P 1" ""
+# Flat, one angle the sum of the others or all 360 together, though a rounded metric may be positive definite.
+refuse_cif "no cell has the angles" "10 11 12 40 100 60" "P 1" ""
+refuse_cif "no cell has the angles" "10 11 12 100 140 120" "P 1" ""
 refuse_cif "no unit cell" "? 6 7 90 90 90" "P 1" ""
 refuse_cif "no unit cell" "5" "P 1" ""
 refuse_cif '"five" is not a number' "five 6 7 90 90 90" "P 1" ""
@@ -183,6 +186,10 @@ sed 's/$/\r/' a.pdb >crlf.pdb
 accept crlf.pdb "points 3"
 grep -v SCALE a.pdb >unscaled.pdb
 accept unscaled.pdb "1/10 1/10 1/10  # N GLY A1" "by the matrix of the cell"
+# A flat cell whose metric is positive definite by rounding; the square root of its volume's square crashed.
+flat_cell="CRYST1   10.000   11.000   12.000  40.00 100.00  60.00 P 1                   "
+{ echo "$flat_cell"; pdb_atom N "" 1 1.000 2.000 3.000; } >flat.pdb
+refuse flat.pdb "no cell has the angles"
 sed 's/0.050000/0.500000/' a.pdb >scale.pdb
 refuse scale.pdb "does not fit the cell"
 grep -v CRYST1 a.pdb >uncelled.pdb
