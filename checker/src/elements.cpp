@@ -33,7 +33,8 @@ bool ElementTable::Less::operator()(const Element& a, const Element& b) const {
   return false;
 }
 
-ElementTable::ElementTable(const Group& group) : group_(group) {
+ElementTable::ElementTable(const Group& group, std::size_t most_limbs)
+    : group_(group), limbs_left_(most_limbs) {
   intern(Element{});
 }
 
@@ -45,7 +46,14 @@ ElementId ElementTable::intern(const Element& element) {
   const std::optional<std::uint64_t> key = packed(element);
   const ElementId id = key ? make_id<ElementId>(small_.insert(*key, static_cast<std::uint32_t>(next)))
                            : large_.try_emplace(element, next).first->second;
-  if (id == next) elements_.push_back(element);
+  if (id != next) return id;
+  if (!key) {
+    std::size_t limbs = 0;
+    for (const Integer& x : element.shift) limbs += mpz_size(x.get_mpz_t());
+    if (limbs > limbs_left_) throw ResourceLimit("group elements with too many digits together");
+    limbs_left_ -= limbs;
+  }
+  elements_.push_back(element);
   return id;
 }
 

@@ -20,7 +20,11 @@ inline constexpr ElementId kIdentity{0};
 
 class ElementTable {
  public:
-  explicit ElementTable(const Group& group);
+  /// Errors of all that intern: ResourceLimit when the shifts that are not small have more than `most_limbs`
+  /// of 64 bits together. A few thousand elements with shifts of thousands of digits have millions of
+  /// quotients.
+  explicit ElementTable(const Group& group, std::size_t most_limbs = kMostLimbs);
+  static constexpr std::size_t kMostLimbs = std::size_t{1} << 26;  // 512 MB, and as much in the map
 
   ElementId intern(const Element& element);
   [[nodiscard]] const Element& operator[](ElementId id) const { return elements_[index(id)]; }
@@ -45,6 +49,7 @@ class ElementTable {
   std::vector<Element> elements_;
   IdMap small_;  // by the packed rotation and shift
   std::map<Element, ElementId, Less> large_;
+  std::size_t limbs_left_;  // of the shifts in it
   IdMap quotients_;
 };
 

@@ -23,7 +23,8 @@ namespace {
 
 constexpr std::size_t kMaxCells = 200'000;
 constexpr std::size_t kMaxCritical = 100;
-constexpr std::size_t kMaxTerms = 2'000'000;
+constexpr std::size_t kMaxTerms = 2'000'000;  // of one limb of 64 bits; longer ones count as several
+constexpr std::size_t kMaxBits = 100'000;     // of the relations; diagonalising makes numbers grow
 
 /// A side of a triangle: an edge with the sign it has in the boundary.
 struct Side {
@@ -67,7 +68,7 @@ class FirstHomology {
       for (const Side& side : triangles_[t]) {
         if (side.edge != edge) accumulate(chain, chain_[side.edge], -own.sign * side.sign);
       }
-      terms += chain.size();
+      for (const auto& [generator, coefficient] : chain) terms += mpz_size(coefficient.get_mpz_t());
       if (terms > kMaxTerms) return std::nullopt;
       chain_[edge] = std::move(chain);
     }
@@ -78,10 +79,19 @@ class FirstHomology {
       auto& row = relations.emplace_back(generators);
       for (const auto& [generator, coefficient] : boundary) row[generator] = coefficient;
     }
+    if (bits_of(relations) > kMaxBits) return std::nullopt;
     return abelian_group(generators, std::move(relations));
   }
 
  private:
+  static std::size_t bits_of(const Rows& rows) {
+    std::size_t bits = 0;
+    for (const std::vector<Integer>& row : rows) {
+      for (const Integer& x : row) bits += x == 0 ? 0 : mpz_sizeinbase(x.get_mpz_t(), 2);
+    }
+    return bits;
+  }
+
   static void accumulate(Chain& sum, const Chain& chain, int sign) {
     for (const auto& [generator, coefficient] : chain) {
       Integer& entry = sum[generator];

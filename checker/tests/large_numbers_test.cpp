@@ -9,6 +9,7 @@
 #include <string>
 
 #include "build.hpp"
+#include "flatdt/checker/errors.hpp"
 #include "geometry.hpp"
 
 namespace flatdt::checker::test {
@@ -39,6 +40,28 @@ Width width_of(const Instance& instance, const Triangulation& triangulation) {
   const Geometry geometry(complex, orbits, table, instance.metric);
   if (geometry.fixed()) return Width::fixed;
   return orbits.fixed ? Width::fixed_points_only : Width::any;
+}
+
+// Elements of four limbs each; those with small shifts are not counted.
+TEST(LargeNumbers, OfElementsAreLimitedTogether) {
+  const Instance instance = read_instance("flatdt-instance 1 dimension 2 manifold torus points 1 0 0\n");
+  const Group group =
+      make_group(std::get<Crystal>(close_group(instance.dimension, instance.generators, &instance.metric)));
+  ElementTable table(group, 8);
+  const auto shifted = [](long x) {
+    Element element;
+    element.shift[0] = Integer(x) << 250;
+    return element;
+  };
+  const ElementId first = table.intern(shifted(1));
+  table.intern(shifted(2));
+  EXPECT_EQ(table.intern(shifted(1)), first);
+  for (long x = 1; x <= 100; ++x) {
+    Element element;
+    element.shift[0] = x;
+    table.intern(element);
+  }
+  EXPECT_THROW(table.intern(shifted(3)), ResourceLimit);
 }
 
 // For each geometric condition: in the plane and in space, and in manifolds whose groups are more than a

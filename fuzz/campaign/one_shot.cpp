@@ -1,5 +1,6 @@
 #include <csignal>
 #include <filesystem>
+#include <limits>
 
 #include "command_template.hpp"
 #include "implementation.hpp"
@@ -21,8 +22,9 @@ class OneShot : public Implementation {
         to_file_(has_place(contact_.command, "output")) {}
 
   Answer answer(const std::string& instance) override {
+    // Opening a pipe that the last run left in a file's place would wait for its other end.
+    for (const std::string& path : {instance_, output_, errors_}) std::filesystem::remove_all(path);
     write_text(instance_, instance);
-    std::filesystem::remove_all(output_);
     const End end = run_child(filled(contact_.command, instance_, output_), from_file_ ? "" : instance_,
                               to_file_ ? "" : output_, errors_, contact_.limits);
     Answer answer;
@@ -50,9 +52,7 @@ class OneShot : public Implementation {
         answer.kind = AnswerKind::flooded;
         break;
     }
-    // What the program made instead of a file (a pipe, a link, a folder) is not read.
-    if (std::filesystem::symlink_status(output_).type() == std::filesystem::file_type::regular)
-      answer.text = read_text(output_);
+    answer.text = read_tail(output_, std::numeric_limits<std::uint64_t>::max());
     return answer;
   }
 

@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <chrono>
+#include <filesystem>
 #include <optional>
 #include <string_view>
 
@@ -67,6 +68,7 @@ class Persistent : public Implementation {
  private:
   void start() {
     Pipe requests, replies;
+    std::filesystem::remove_all(errors_);  // it may be a pipe by now
     const Descriptor errors = open_file(errors_, O_WRONLY | O_CREAT | O_TRUNC);
     child_.emplace(contact_.command, requests.read_end.get(), replies.write_end.get(), errors.get(),
                    contact_.limits);

@@ -3,6 +3,7 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <stdexcept>
 #include <thread>
 
@@ -45,6 +46,28 @@ TEST(Child, LeavesNothingBehind) {
     if (!gone) std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
   EXPECT_TRUE(gone);
+}
+
+/// A program may leave anything where its files were; a pipe must not be waited for.
+TEST(Child, ThatMakesPipesOfItsFilesIsNotWaitedFor) {
+  const Folder folder;
+  const std::string path = folder.path() + "/case.errors";
+  write_text(path, "0123456789");
+  EXPECT_EQ(read_tail(path, 4), "6789");
+  EXPECT_EQ(read_tail(path, 40), "0123456789");
+  std::filesystem::create_symlink(path, folder.path() + "/link");
+  EXPECT_EQ(read_tail(folder.path() + "/link", 4), "");
+  Contact contact;
+  contact.limits.address_bytes = 0;
+  contact.command = {"sh", "-c",
+                     "cd '" + folder.path() + "' && rm -f case.* && " +
+                         "mkfifo case.errors case.instance case.triangulation && echo made >made"};
+  const std::unique_ptr<Implementation> program = make_one_shot(contact, folder.path());
+  for (int run = 0; run < 2; ++run) {
+    std::filesystem::remove(folder.path() + "/made");
+    EXPECT_EQ(program->answer("").text, "");
+    EXPECT_EQ(read_text(folder.path() + "/made"), "made\n");
+  }
 }
 
 TEST(Child, ThatCannotBeStartedIsAnError) {
