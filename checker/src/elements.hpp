@@ -21,8 +21,8 @@ inline constexpr ElementId kIdentity{0};
 class ElementTable {
  public:
   /// Errors of all that intern: ResourceLimit when the shifts that are not small have more than `most_limbs`
-  /// of 64 bits together. A few thousand elements with shifts of thousands of digits have millions of
-  /// quotients.
+  /// of 64 bits together; then the table is of no more use. A few thousand elements with shifts of thousands
+  /// of digits have millions of quotients.
   explicit ElementTable(const Group& group, std::size_t most_limbs = kMostLimbs);
   static constexpr std::size_t kMostLimbs = std::size_t{1} << 26;  // 512 MB, and as much in the map
 

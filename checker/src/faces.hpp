@@ -67,7 +67,7 @@ struct Edge {
   std::uint32_t high;
   std::uint32_t offset;
 
-  auto operator<=>(const Edge&) const = default;
+  auto operator<=>(const Edge&) const = default;  // NOLINT(modernize-use-nullptr): none is written
   [[nodiscard]] FaceKey key() const { return {{low, high, kNone, kNone}, {offset, kNone, kNone}}; }
 };
 
