@@ -56,7 +56,7 @@ std::string record(Row& row, const Expectation& expectation, const std::optional
   if (verdict)
     for (std::size_t i = 0; i < row.failed.size(); ++i)
       if (verdict->conditions[i].status == Status::fails) ++row.failed[i];
-  const std::string why = contradiction(expectation, verdict);
+  std::string why = contradiction(expectation, verdict);
   if (!why.empty()) ++row.wrong;
   return why;
 }

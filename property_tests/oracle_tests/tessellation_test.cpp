@@ -190,6 +190,7 @@ TEST(Polytope, IntersectionOfSimplices) {
 
 TEST(Hull, VolumesAndEdges) {
   std::vector<Vector> cube;
+  cube.reserve(8);
   for (int i = 0; i < 8; ++i) cube.push_back({i & 1, i >> 1 & 1, i >> 2});
   EXPECT_EQ(hull_volume(cube, 3), 1);
   EXPECT_EQ(hull_edges(cube, 3).size(), 12U);
