@@ -46,19 +46,25 @@ FaceKey key_of(const Cell& cell, const Offsets& offset, const Corners& corners, 
   return key;
 }
 
-bool has_repeated_vertex(const Complex& complex, const Cell& cell) {
-  return repeats_vertex(cell, complex.offsets(cell), {0, 1, 2, 3}, complex.corners);
+Corners side_corners(const Complex& complex, std::uint8_t facet) {
+  Corners corners{};
+  std::size_t n = 0;
+  for (std::uint8_t i = 0; i < complex.corners; ++i) {
+    if (i != facet) corners[n++] = i;
+  }
+  return corners;
 }
 
 Corners facet_corners(const Complex& complex, const Occurrence& occurrence) {
   const Cell& cell = complex.cells[index(occurrence.cell)];
-  Corners corners{};
-  std::size_t n = 0;
-  for (std::uint8_t i = 0; i < complex.corners; ++i) {
-    if (i != occurrence.facet) corners[n++] = i;
-  }
-  make_canonical(cell, complex.offsets(cell), corners, n);
+  Corners corners = side_corners(complex, occurrence.facet);
+  make_canonical(cell, complex.offsets(cell), corners, complex.corners - 1);
   return corners;
+}
+
+FaceKey key_of_facet(const Complex& complex, const Occurrence& occurrence) {
+  const Cell& cell = complex.cells[index(occurrence.cell)];
+  return key_of(cell, complex.offsets(cell), facet_corners(complex, occurrence), complex.corners - 1);
 }
 
 }  // namespace flatdt::checker

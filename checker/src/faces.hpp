@@ -41,9 +41,6 @@ void make_canonical(const Cell& cell, const Offsets& offset, Corners& corners, s
 [[nodiscard]] bool repeats_vertex(const Cell& cell, const Offsets& offset, const Corners& corners,
                                   std::size_t size);
 
-/// Whether two corners of the cell are the same point.
-[[nodiscard]] bool has_repeated_vertex(const Complex& complex, const Cell& cell);
-
 /// One facet of one cell.
 struct Occurrence {
   CellId cell;
@@ -52,8 +49,14 @@ struct Occurrence {
   std::int8_t parity;  ///< of the permutation (canonical list, apex) of the cell's corners
 };
 
+/// The corners of the cell but `facet`, in ascending order.
+[[nodiscard]] Corners side_corners(const Complex& complex, std::uint8_t facet);
+
 /// The corners of a facet in the order of its canonical list.
 [[nodiscard]] Corners facet_corners(const Complex& complex, const Occurrence& occurrence);
+
+/// The canonical list of a facet.   Requires: its vertices are different.
+[[nodiscard]] FaceKey key_of_facet(const Complex& complex, const Occurrence& occurrence);
 
 /// The two occurrences of one facet, the one in the smaller cell (then of the smaller corner) first.
 struct FacetPair {

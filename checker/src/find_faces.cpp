@@ -160,12 +160,6 @@ void sort_distinct(std::vector<CellId>& cells) {
   cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
 }
 
-/// The canonical list of a facet.   Requires: its vertices are different.
-FaceKey key_of_facet(const Complex& complex, const Occurrence& occurrence) {
-  const Cell& cell = complex.cells[index(occurrence.cell)];
-  return key_of(cell, complex.offsets(cell), facet_corners(complex, occurrence), complex.corners - 1);
-}
-
 /// Facets that are sides of cells with a repeated vertex as well occur more than twice.
 void drop_sides_of_flattened_cells(const Complex& complex, Faces& faces) {
   if (faces.flattened.empty()) return;
@@ -173,12 +167,8 @@ void drop_sides_of_flattened_cells(const Complex& complex, Faces& faces) {
   for (const CellId c : faces.flattened) {
     const Cell& cell = complex.cells[index(c)];
     for (std::uint8_t facet = 0; facet < complex.corners; ++facet) {
-      Corners corners{};
-      std::size_t n = 0;
-      for (std::uint8_t i = 0; i < complex.corners; ++i) {
-        if (i != facet) corners[n++] = i;
-      }
-      if (repeats_vertex(cell, complex.offsets(cell), corners, n)) continue;
+      const Corners corners = side_corners(complex, facet);
+      if (repeats_vertex(cell, complex.offsets(cell), corners, complex.corners - 1)) continue;
       sides.push_back(key_of_facet(complex, {c, facet, 0, 0}));
     }
   }

@@ -12,13 +12,10 @@ namespace flatdt::checker {
 namespace {
 
 Witness facet_witness(const Context& context, const Occurrence& o) {
-  const Cell& cell = context.complex.cells[index(o.cell)];
-  const Offsets& offset = context.complex.offsets(cell);
   return {{"cell", number_text(index(o.cell))},
           {"facet", number_text(o.facet)},
           {"cell-points", cell_text(context, o.cell)},
-          {"facet-vertices", face_text(context, key_of(cell, offset, facet_corners(context.complex, o),
-                                                       context.complex.corners - 1))}};
+          {"facet-vertices", face_text(context, key_of_facet(context.complex, o))}};
 }
 
 /// det[p_1 - p_0 .. p_d - p_0] with p_facet replaced by `apex`, in the instance's coordinates.
@@ -120,15 +117,11 @@ void check_cells(Context& context) {
 
 void check_facets(const Context& context) {
   using enum ConditionName;
-  const auto& cells = context.complex.cells;
-  const auto repeated = std::find_if(cells.begin(), cells.end(), [&](const Cell& cell) {
-    return has_repeated_vertex(context.complex, cell);
-  });
-  if (repeated != cells.end()) {
-    const auto c = static_cast<std::size_t>(repeated - cells.begin());
+  if (!context.faces.flattened.empty()) {
+    const CellId cell = context.faces.flattened.front();
     context.fails(facets_paired, {{"reason", "cell-with-repeated-vertex"},
-                                  {"cell", number_text(c)},
-                                  {"cell-points", cell_text(context, make_id<CellId>(c))}});
+                                  {"cell", number_text(index(cell))},
+                                  {"cell-points", cell_text(context, cell)}});
   } else if (context.faces.odd) {
     Witness witness = facet_witness(context, context.faces.odd->first);
     witness.emplace_back("occurrences", number_text(context.faces.odd->occurrences));

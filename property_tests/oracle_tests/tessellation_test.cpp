@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <optional>
+#include <string>
 
 #include "fixture.hpp"
 #include "oracle/group.hpp"
@@ -200,40 +202,56 @@ TEST(Hull, VolumesAndEdges) {
   EXPECT_EQ(hull_edges(octahedron, 3).size(), 12U);
 }
 
+/// The orbits of an instance, ready to be asked.
+struct GivenOrbits {
+  explicit GivenOrbits(const std::string& body)
+      : given(instance(body)),
+        group(generated_group(given.dimension, given.generators, given.metric)),
+        points(group.value(), given.metric, given.points) {}
+
+  [[nodiscard]] Rational squared_distance(const Vector& a, const Vector& b) const {
+    return square(given.metric, minus(a, b));
+  }
+
+  checker::Instance given;
+  std::optional<Group> group;
+  OrbitPoints points;
+};
+
+const char* const kTwoOrbits = "dimension 2 manifold klein-bottle metric 1/9 0 7 points 2 1/10 1/5 3/4 1/2";
+
 /// Every point of GP within a radius, against counting by brute force over a box of lattice vectors.
 TEST(OrbitPoints, WithinABall) {
-  const checker::Instance given =
-      instance("dimension 2 manifold klein-bottle metric 1/9 0 7 points 2 1/10 1/5 3/4 1/2");
-  const std::optional<Group> group = generated_group(2, given.generators, given.metric);
-  ASSERT_TRUE(group.has_value());
-  const OrbitPoints points(*group, given.metric, given.points);
+  const GivenOrbits orbits(kTwoOrbits);
+  const std::vector<Vector>& representatives = orbits.given.points;
   const Vector place{q("17/3"), q("-22/7"), 0};
   std::size_t count = 0;
-  for (const Seitz& c : group->cosets)
-    for (const Vector& p : given.points)
+  for (const Seitz& c : orbits.group->cosets)
+    for (const Vector& p : representatives)
       for (int i = -40; i <= 40; ++i)
         for (int j = -40; j <= 40; ++j)
-          if (square(given.metric, minus(plus(image(c, p), Vector{i, j, 0}), place)) <= 10) ++count;
-  const std::vector<OrbitPoint> found = points.within(place, 10);
+          if (orbits.squared_distance(plus(image(c, p), Vector{i, j, 0}), place) <= 10) ++count;
+  const std::vector<OrbitPoint> found = orbits.points.within(place, 10);
   EXPECT_EQ(found.size(), count);
-  for (const OrbitPoint& p : found) EXPECT_EQ(image(p.element, given.points[p.point]), p.position);
+  for (const OrbitPoint& p : found) EXPECT_EQ(image(p.element, representatives[p.point]), p.position);
 }
 
-/// The nearest points are those within their distance, ties among them.
+/// The nearest points are those within their distance, ties among them; no point is nearer.
 TEST(OrbitPoints, NearestToPlaces) {
-  const checker::Instance given =
-      instance("dimension 2 manifold klein-bottle metric 1/9 0 7 points 2 1/10 1/5 3/4 1/2");
-  const std::optional<Group> group = generated_group(2, given.generators, given.metric);
-  ASSERT_TRUE(group.has_value());
-  const OrbitPoints points(*group, given.metric, given.points);
+  const GivenOrbits orbits(kTwoOrbits);
   std::size_t ties = 0;
   for (int i = 0; i < 20; ++i) {
     for (int j = 0; j < 10; ++j) {
       const Vector place{Rational(i, 20), Rational(j, 10), 0};
-      const std::vector<OrbitPoint> nearest = points.nearest(place);
-      const Rational least = square(given.metric, minus(nearest.front().position, place));
-      EXPECT_EQ(nearest.size(), points.within(place, least).size());
-      for (const OrbitPoint& p : nearest) EXPECT_EQ(square(given.metric, minus(p.position, place)), least);
+      std::map<Rational, std::size_t> at_distance;
+      for (const OrbitPoint& p : orbits.points.within(place, 10)) {
+        ++at_distance[orbits.squared_distance(p.position, place)];
+      }
+      const std::vector<OrbitPoint> nearest = orbits.points.nearest(place);
+      ASSERT_FALSE(at_distance.empty());
+      const auto& [least, number] = *at_distance.begin();
+      EXPECT_EQ(nearest.size(), number);
+      for (const OrbitPoint& p : nearest) EXPECT_EQ(orbits.squared_distance(p.position, place), least);
       if (nearest.size() > 1) ++ties;
     }
   }
@@ -243,25 +261,18 @@ TEST(OrbitPoints, NearestToPlaces) {
 /// Here every vector is as short as multiples of another make it, and yet the sum of three is 10^8 times
 /// shorter.
 TEST(OrbitPoints, AShortSumOfThreeVectors) {
-  const checker::Instance given = instance(
+  const GivenOrbits orbits(
       "dimension 3 generators 2  1 0 0 1 0 1 0 0 0 0 1 0   -1 1 4 2/3 -1 0 2 0 0 0 1 1/3  metric "
       "9007199352092264/3 -4503599676046132/3 -18014398704184528/3 9007199352092264/3 9007199352092264/3 "
       "4722366533909748999091/393216  points 1 0 0 0");
-  const std::optional<Group> group = generated_group(3, given.generators, given.metric);
-  ASSERT_TRUE(group.has_value());
-  const OrbitPoints points(*group, given.metric, given.points);
-  EXPECT_LT(square(given.metric, points.basis().front()), 1);
-  EXPECT_EQ(points.nearest({q("1/3"), q("1/5"), q("1/7")}).size(), 1U);
+  EXPECT_LT(square(orbits.given.metric, orbits.points.basis().front()), 1);
+  EXPECT_EQ(orbits.points.nearest({q("1/3"), q("1/5"), q("1/7")}).size(), 1U);
 }
 
 /// Lines of 10^9 translates inside the ball are not gone through one by one.
 TEST(OrbitPoints, NearestInALongLattice) {
-  const checker::Instance given =
-      instance("dimension 2 manifold torus metric 1/1000000000000000000 0 1 points 1 0 0");
-  const std::optional<Group> group = generated_group(2, given.generators, given.metric);
-  ASSERT_TRUE(group.has_value());
-  const OrbitPoints points(*group, given.metric, given.points);
-  EXPECT_EQ(points.nearest({q("1/2"), q("1/2"), 0}).size(), 4U);
+  const GivenOrbits orbits("dimension 2 manifold torus metric 1/1000000000000000000 0 1 points 1 0 0");
+  EXPECT_EQ(orbits.points.nearest({q("1/2"), q("1/2"), 0}).size(), 4U);
 }
 
 TEST(Group, OrderOfGeneratorsAndRedundantOnes) {
