@@ -104,14 +104,24 @@ class LimbPool {
   struct Block {
     Block* next;
   };
+  /// The first limb of a chunk, not poisoned: the leak checker follows no pointers in poisoned memory, so
+  /// that chunks known by free blocks alone would be leaks.
+  struct Chunk {
+    Chunk* previous;
+  };
+  static_assert(sizeof(Chunk) == kLimbBytes);
 
   void add_chunk(std::size_t size, Block*& first) {
     const std::size_t stride = size + kLimbBytes;  // a poisoned limb between blocks
     auto* const chunk = static_cast<char*>(from_malloc(kChunkBytes));
-    shadow_.poison(chunk, kChunkBytes);
-    for (std::size_t at = 0; at + stride <= kChunkBytes; at += stride) first = new (chunk + at) Block{first};
+    last_chunk_ = new (chunk) Chunk{last_chunk_};
+    shadow_.poison(chunk + kLimbBytes, kChunkBytes - kLimbBytes);
+    for (std::size_t at = 2 * kLimbBytes; at + stride <= kChunkBytes; at += stride) {
+      first = new (chunk + at) Block{first};
+    }
   }
 
+  Chunk* last_chunk_ = nullptr;
   Block* free_[kMaxLimbs + 1] = {};
   Shadow shadow_;
 };
