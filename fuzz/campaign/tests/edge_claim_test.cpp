@@ -1,6 +1,8 @@
 // Claims of edges: right ones are accepted whatever the ties, and no edge can be missing.
 #include "edge_claim.hpp"
 
+#include <filesystem>
+#include <fstream>
 #include <sstream>
 
 #include "delaunay_graph.hpp"
@@ -52,6 +54,28 @@ TEST(EdgeClaim, ElementsMustBeOfTheGroup) {
   const std::string square = "flatdt-instance 1 dimension 2 manifold torus points 1 0 0 ";
   EXPECT_EQ(judge_edges(square, "flatdt-edges 1\nelements 1\n1 0 1/2 0 1 0\nedges 0\n", 0).signature,
             "refuted edges.member");
+}
+
+/// What another program wrote, with the condition that its third line names: docs/findings.md.
+TEST(EdgeClaim, FindingsAreRefuted) {
+  const auto text_of = [](const std::filesystem::path& path) {
+    std::ostringstream text;
+    text << std::ifstream(path, std::ios::binary).rdbuf();
+    return text.str();
+  };
+  std::size_t found = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(FLATDT_CORPORA "/findings")) {
+    std::filesystem::path path = entry.path();
+    if (path.extension() != ".edges") continue;
+    ++found;
+    SCOPED_TRACE(path);
+    const std::string claim = text_of(path);
+    const Judgement judgement =
+        judge_edges(text_of(path.replace_extension(".instance")), claim, ref::Rational(1, 1 << 16));
+    ASSERT_EQ(judgement.signature.rfind("refuted ", 0), 0U) << judgement.signature;
+    EXPECT_NE(claim.find("# fails: " + judgement.signature.substr(8) + "\n"), std::string::npos);
+  }
+  EXPECT_GT(found, 0U);
 }
 
 TEST(EdgeClaim, MalformedFilesAreRefused) {
