@@ -338,7 +338,8 @@ def streams():
     for name, command in {
             "check": [CHECK, *good], "check json": [CHECK, *good, "--json"], "info": [FLATDT, "info", good[0]],
             "info json": [FLATDT, "info", good[0], "--json"], "triangulate": [FLATDT, "triangulate", good[0]],
-            "manifolds": [FLATDT, "manifolds"],
+            "manifolds": [FLATDT, "manifolds"], "help": [FLATDT, "--help"], "version": [FLATDT, "--version"],
+            "help of a command": [FLATDT, "draw", "--help"], "help of the checker": [CHECK, "--help"],
             "generate": [FLATDT, "generate", "--manifold", "torus", "--points", "3", "--family", "uniform", "--seed", "1"]}.items():
         with open("/dev/full", "wb") as full:
             run(name + " > /dev/full", command, [3], stdout=full)
@@ -357,11 +358,13 @@ def streams():
         run(f"seed {seed!r}", [FLATDT, "generate", "--manifold", "torus", "--points", "1", "--seed", seed], [2])
         run(f"order {seed!r}", [FLATDT, "triangulate", good[0], "--order", seed], [2])
     run("sheets of the wrong engine", [FLATDT, "triangulate", good[0], "--engine", "without-covers", "--max-sheets", "9"], [2])
+    run("an output without a name", [FLATDT, "triangulate", good[0], "-o", ""], [2])
     # A reader that closes the pipe early must not make the writer crash.
-    for command in ([FLATDT, "triangulate", good[0]], [CHECK, *good]):
+    for command in ([FLATDT, "triangulate", good[0]], [FLATDT, "--help"], [CHECK, *good], [CHECK, *good, "--json"],
+                    [CHECK, "--serve"], [CHECK, "--help"]):
         reading, writing = os.pipe()
         os.close(reading)
-        run(f"{os.path.basename(command[0])} into a closed pipe", command, [3, -13], stdout=writing)
+        run(f"{' '.join(command)} into a closed pipe", command, [3], stdin=b"{}\n", stdout=writing)
         os.close(writing)
 
 

@@ -62,10 +62,12 @@ void complain(const std::string& message) {
   std::fprintf(stderr, "flatdt-check: %s\n", message.c_str());
 }
 
-/// Writes to standard output; whether all of it arrived.
-bool print(const std::string& text) {
+/// Writes to standard output; `code`, if all of it arrived.
+int print(const std::string& text, int code) {
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
-  return std::fflush(stdout) == 0 && written;
+  if (std::fflush(stdout) == 0 && written) return code;
+  complain("cannot write to standard output");
+  return kInternal;
 }
 
 /// The failure with the system's reason for it.
@@ -202,9 +204,9 @@ int parse_and_run(int argc, const char* const* argv) {
     if (instance_path == "-" && triangulation_path == "-")
       throw CLI::ValidationError("'-' can stand for one file only");
   } catch (const CLI::CallForHelp&) {
-    return print(app.help()) ? 0 : kInternal;
+    return print(app.help(), 0);
   } catch (const CLI::Success&) {
-    return print("flatdt-check " FLATDT_VERSION "\n") ? 0 : kInternal;
+    return print("flatdt-check " FLATDT_VERSION "\n", 0);
   } catch (const CLI::ParseError& error) {
     complain(std::string(error.what()) + "\nRun with --help for usage.");
     return kUsage;
@@ -212,6 +214,7 @@ int parse_and_run(int argc, const char* const* argv) {
   if (serving) {
     json = true;
     const int code = serve(std::cin, stdout, limits);
+    if (code == kInternal) complain("cannot write to standard output");
     if (std::ferror(stdin) != 0) throw unreadable("cannot read standard input");
     return code;
   }
@@ -222,11 +225,7 @@ int parse_and_run(int argc, const char* const* argv) {
     return judge(instance, triangulation, jobs);
   }();
   if (!verdict.reason.empty()) complain(verdict.reason);
-  if (!print(json ? json_report(verdict) : text_report(verdict))) {
-    complain("cannot write to standard output");
-    return kInternal;
-  }
-  return exit_code(verdict.outcome);
+  return print(json ? json_report(verdict) : text_report(verdict), exit_code(verdict.outcome));
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// A stream buffer that gives the bytes of another, and a line break behind the last: CGAL ends some streams
-// directly after a token.
+// A stream buffer that gives the bytes of another, and a line break behind the last if that is none: CGAL
+// ends some streams directly after a token.
 #pragma once
 
 #include <array>
@@ -13,14 +13,13 @@ class FinalLineBreak : public std::streambuf {
 
  protected:
   int_type underflow() override {
-    std::streamsize read =
-        ended_ ? 0 : source_.sgetn(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+    std::streamsize read = source_.sgetn(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
     if (read == 0) {
-      if (ended_) return traits_type::eof();
-      ended_ = true;
+      if (last_ == '\n') return traits_type::eof();
       buffer_[0] = '\n';
       read = 1;
     }
+    last_ = buffer_[static_cast<std::size_t>(read) - 1];
     setg(buffer_.data(), buffer_.data(), buffer_.data() + read);
     return traits_type::to_int_type(buffer_[0]);
   }
@@ -28,7 +27,7 @@ class FinalLineBreak : public std::streambuf {
  private:
   std::streambuf& source_;
   std::array<char, 1 << 12> buffer_{};
-  bool ended_ = false;
+  char last_ = '\n';  // an empty stream stays one
 };
 
 }  // namespace flatdt::checker

@@ -125,7 +125,11 @@ if [ -w /dev/full ]; then
   done
   "$check" --help >/dev/full 2>err
   [ $? = 3 ] || fail "failed write of the help must exit 3"
+  grep -q 'cannot write' err || fail "failed write of the help must say so"
 fi
+# Nor is a limit of the sizes of files.
+(ulimit -f 0 && "$check" good.instance good.triangulation >limited 2>/dev/null)
+[ $? = 3 ] || fail "a limit of the sizes of files must exit 3"
 
 # Hostile files end soon, with a verdict or a refusal.
 head -c 100000 /dev/urandom >random

@@ -26,4 +26,8 @@ expect 2 "" --from geogram "$streams/square-nine-sheets.p2t2"
 expect 2 "" "$streams/square-nine-sheets.p2t2"
 "$check" --from cgal-p2t2 --json - <"$streams/square-one-sheet.p2t2" 2>/dev/null | grep -q '"verdict":"VERIFIED"' ||
   { echo "FAILED: standard input, --json"; failures=$((failures + 1)); }
+"$check" --from cgal-p2t2 /dev/null 2>&1 >/dev/null | grep -q '^flatdt-check: [^ ]*:1: ' ||
+  { echo "FAILED: an empty file ends in line 1"; failures=$((failures + 1)); }
+printf '1 2 3\n4\n' | "$check" --from cgal-p2t2 - 2>&1 >/dev/null | grep -q ':3: ' ||
+  { echo "FAILED: two lines end where the third would begin"; failures=$((failures + 1)); }
 exit $((failures > 0))

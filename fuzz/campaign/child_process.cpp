@@ -64,6 +64,7 @@ void set_limit(int resource, std::uint64_t value) {
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
   std::signal(SIGPIPE, SIG_DFL);
+  std::signal(SIGXFSZ, SIG_DFL);
   set_limit(RLIMIT_CORE, 0);
   if (limits.output_bytes != 0) set_limit(RLIMIT_FSIZE, limits.output_bytes);
   if (limits.address_bytes != 0) set_limit(RLIMIT_AS, limits.address_bytes);
@@ -79,6 +80,7 @@ Child::Child(const std::vector<std::string>& argv, int in, int out, int err, con
     : limits_(limits) {
   std::vector<std::string> words = argv;
   std::vector<char*> pointers;
+  pointers.reserve(words.size() + 1);
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
   Pipe report;

@@ -48,20 +48,17 @@ EdgeFile parse_edges(const std::string& text, int dimension, std::size_t points)
   in >> header >> version;
   if (header != "flatdt-edges" || version != "1")
     throw std::runtime_error("the file must start with flatdt-edges 1");
-  const auto start = in.tellg();
-  const std::size_t at = plain.find("edges", static_cast<std::size_t>(start < 0 ? 0 : std::streamoff(start)));
-  if (start < 0 || at == std::string::npos) throw std::runtime_error("the file has no section \"edges\"");
+  // A number cut short would be another number.
+  if (plain.empty() || plain.back() != '\n') throw std::runtime_error("the file must end with a line break");
   // Elements are written as in a triangulation file, so the reader of those reads them.
-  const std::string elements =
-      plain.substr(static_cast<std::size_t>(start), at - static_cast<std::size_t>(start));
+  std::string elements, word;
+  while (in >> word && word != "edges") elements += word + '\n';
+  if (word != "edges") throw std::runtime_error("the file has no section \"edges\"");
   EdgeFile file;
   ref::Triangulation head = ref::parse_triangulation("flatdt-triangulation 1\n" + elements + "\ncells 0\n",
                                                      "output", dimension, points);
   if (head.has_subgroup) throw std::runtime_error("a file of edges has no section \"subgroup\"");
   file.elements = std::move(head.elements);
-  in.seekg(static_cast<std::streamoff>(at));
-  std::string word;
-  in >> word;
   const std::uint32_t count = read_index(in, 1'000'000'000);
   for (std::uint32_t i = 0; i < count; ++i) {
     ref::Triangulation::CellVertex ends[2];

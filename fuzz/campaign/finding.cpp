@@ -78,11 +78,11 @@ std::vector<Group> grouped(std::vector<Result> failures) {
     Group& group = at != groups.end() ? *at : groups.emplace_back(Group{f.signature, form, {}});
     group.failures.push_back(std::move(f));
   }
-  // A bundle of the group's own form stands first, of those the one with the fewest points.
+  // A bundle of the group's own form stands first, of those the one with the fewest points, then the first.
   for (Group& g : groups)
-    std::stable_sort(g.failures.begin(), g.failures.end(), [&](const Result& x, const Result& y) {
-      return std::tuple(x.bundle.empty(), x.form != g.form, x.shrunk_points) <
-             std::tuple(y.bundle.empty(), y.form != g.form, y.shrunk_points);
+    std::sort(g.failures.begin(), g.failures.end(), [&](const Result& x, const Result& y) {
+      return std::tuple(x.bundle.empty(), x.form != g.form, x.shrunk_points, x.number) <
+             std::tuple(y.bundle.empty(), y.form != g.form, y.shrunk_points, y.number);
     });
   return groups;
 }

@@ -198,6 +198,7 @@ def draw_hostile(folder):
              (condition % '{"cell-points":"(0,0);(1/0,0);(1,1)"}', 0), (condition % ('{"cell-points":' + big + "}"), 0),
              (condition % '{"cell-points":"(0,0);(1,0);(2,0)","facet":"0","apex":"(1e900,1)"}', 0),
              (condition % '{"cell-points":"(0,0);(1,0);(1e1000,1e-1000)","facet":"2","apex":"(5,5)"}', 0),
+             (condition % ('{"cell":' + "[" * 20 + "]" * 20 + "}"), 2), (condition % '{"cell":"[[[[[[[[[[[[[[[[[[\\""}', 0),
              (condition % '{"cell":"\\u0000<&\\ud83d\\ude00"}', 0), (condition % '{"cell":"\\ud83d"}', 2)]
     for text, code in cases:
         file.write_text(text, encoding="utf-8")
@@ -210,6 +211,14 @@ def draw_hostile(folder):
     draw((2,), pair, triangulation, "--verdict", file, "-o", output)
     draw((2,), pair, triangulation, "--verdict", folder / "missing.json", "-o", output)
     draw((2,), pair, "-", "--verdict", "-", "-o", output)
+    draw((2,), pair, triangulation, "-o", "")
+    long_name = folder / ("n" * 251 + ".svg")
+    draw((0,), pair, triangulation, "-o", long_name)
+    require(long_name.stat().st_size > 0, "a name of 255 bytes")
+    (folder / "link.svg").symlink_to(long_name)
+    long_name.write_text("")
+    draw((0,), pair, triangulation, "-o", folder / "link.svg")
+    require((folder / "link.svg").is_symlink() and long_name.stat().st_size > 0, "an output through a link")
     draw((2,), pair, triangulation, "-o", folder / "h.html")
     draw((2,), pair, triangulation, "--condition", "volume.exact", "-o", output)
     draw((2,), pair, triangulation, "--copies", "6", "-o", output)

@@ -7,10 +7,12 @@
 #include <exception>
 #include <functional>
 #include <new>
+#include <sstream>
 
 #include "commands.hpp"
 #include "examples.hpp"
 #include "flatdt/ref/errors.hpp"
+#include "text_files.hpp"
 
 namespace flatdt::ref::cli {
 namespace {
@@ -147,12 +149,17 @@ int parse_and_run(int argc, const char* const* argv) {
 
   try {
     app.parse(argc, argv);
+  } catch (const CLI::Success& wish) {  // the help, or the version
+    std::ostringstream text;
+    app.exit(wish, text, text);
+    write_output("-", text.str());
+    return 0;
   } catch (const CLI::ParseError& error) {
     const bool lacks_command = app.get_subcommands().empty() && argc > 1 && argv[1][0] != '-';
     if (lacks_command)
       std::fprintf(stderr, "flatdt: there is no command '%s'; `flatdt --help` lists them\n", argv[1]);
-    const int code = lacks_command ? kBadInput : app.exit(error);
-    return code == 0 ? 0 : kBadInput;
+    if (!lacks_command) app.exit(error);
+    return kBadInput;
   }
   return action();
 }

@@ -56,10 +56,18 @@ void write_to_device(const std::string& path, const Writer& write) {
   ::close(device);
 }
 
+/// The file a symbolic link leads to, if there is one; else the path itself.
+std::string without_links(const std::string& path) {
+  const std::unique_ptr<char, void (*)(void*)> target(::realpath(path.c_str(), nullptr), std::free);
+  return target ? target.get() : path;
+}
+
 /// A temporary file beside `path` that takes its place when renamed, and else is removed.
 class PendingFile {
  public:
-  explicit PendingFile(const std::string& path) : path_(path), temporary_(path + ".XXXXXX") {
+  explicit PendingFile(const std::string& path)
+      : path_(without_links(path)), temporary_(path_.substr(0, path_.rfind('/') + 1) + ".flatdt-XXXXXX") {
+    if (path.empty()) throw InvalidInput("the name of an output is empty");
     descriptor_ = ::mkstemp(temporary_.data());
     if (descriptor_ < 0) throw InvalidInput(path + ": cannot be created: " + reason());
   }
@@ -112,9 +120,9 @@ std::string read_input(const std::string& path) {
   while ((n = ::read(descriptor, buffer.data(), buffer.size())) != 0) {
     if (n < 0 && errno == EINTR) continue;
     if (n < 0) {
-      const std::string why = reason();
+      const InvalidInput error(path + ": cannot be read: " + reason());
       if (path != "-") ::close(descriptor);
-      throw InvalidInput(path + ": cannot be read: " + why);
+      throw error;
     }
     // An endless input (a device, a pipe) must end in an error, not in memory exhaustion.
     if (text.size() > kMaxBytes) {

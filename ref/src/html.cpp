@@ -1,3 +1,7 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
 #include "flatdt/ref/errors.hpp"
 #include "scene_text.hpp"
 #include "viewer_page.hpp"
@@ -57,6 +61,28 @@ std::string scene_json(const Scene& scene, int copies) {
   return text + "}";
 }
 
+/// WebGL computes in single precision, and the page squares lengths: a cell far from 1 is drawn at a scale of
+/// its own, with a note.
+Scene within_single_precision(Scene scene) {
+  constexpr int kMaxExponent = 20;
+  const int exponent = std::ilogb(scene.lattice[0][0]);  // the shortest vector of a reduced basis
+  if (std::abs(exponent) <= kMaxExponent) return scene;
+  const auto shrink = [exponent](Place3& p) {
+    for (double& x : p) x = std::ldexp(x, -exponent);
+  };
+  std::for_each(scene.lattice.begin(), scene.lattice.end(), shrink);
+  if (scene.full_lattice) std::for_each(scene.full_lattice->begin(), scene.full_lattice->end(), shrink);
+  std::for_each(scene.places.begin(), scene.places.end(), shrink);
+  for (Scene::Figure& figure : scene.figures)
+    std::for_each(figure.corners.begin(), figure.corners.end(), shrink);
+  if (scene.sphere) {
+    shrink(scene.sphere->centre);
+    scene.sphere->radius = std::ldexp(scene.sphere->radius, -exponent);
+  }
+  scene.notes.push_back("Lengths are divided by 2^" + std::to_string(exponent) + ".");
+  return scene;
+}
+
 }  // namespace
 
 std::string html_text(const Scene& scene, int copies) {
@@ -68,7 +94,7 @@ std::string html_text(const Scene& scene, int copies) {
   constexpr std::string_view kPlace = "@DATA@";
   const std::size_t at = page.find(kPlace);
   ensure(at != std::string::npos, "the page has a place for the data");
-  return page.replace(at, kPlace.size(), scene_json(scene, copies));
+  return page.replace(at, kPlace.size(), scene_json(within_single_precision(scene), copies));
 }
 
 }  // namespace flatdt::ref

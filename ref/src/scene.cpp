@@ -119,19 +119,17 @@ class SceneMaker {
       }
       cell.corners[k] = where->second;
     }
-    if (is_negative(places)) std::swap(cell.corners[corners.size() - 2], cell.corners[corners.size() - 1]);
+    if (is_negative(corners)) std::swap(cell.corners[corners.size() - 2], cell.corners[corners.size() - 1]);
     scene_.cells.push_back(cell);
     return true;
   }
 
-  [[nodiscard]] static bool is_negative(const std::vector<Place3>& p) {
-    const auto edge = [&](std::size_t k) {
-      return Place3{p[k][0] - p[0][0], p[k][1] - p[0][1], p[k][2] - p[0][2]};
-    };
-    const Place3 a = edge(1), b = edge(2), c = p.size() > 3 ? edge(3) : Place3{0, 0, 1};
-    return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
-               a[2] * (b[0] * c[1] - b[1] * c[0]) <
-           0;
+  /// The factor of Cartesian has a positive determinant, so the lattice's coordinates tell, at every scale.
+  [[nodiscard]] static bool is_negative(const Simplex& corners) {
+    Matrix edges(static_cast<int>(corners.size()) - 1);
+    for (int k = 0; k < edges.dimension(); ++k)
+      edges.set_column(k, corners[static_cast<std::size_t>(k) + 1] - corners[0]);
+    return edges.determinant() < Rational(0);
   }
 
   void add_witness(const Witness& witness, const PictureGroup& group, const Cartesian& cartesian) {

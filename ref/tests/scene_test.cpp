@@ -49,6 +49,28 @@ TEST(Scene, CellsFillTheLatticeCell) {
   }
 }
 
+/// Products of three edges overflow at 1e300 and vanish at 1e-300; single precision holds 1e-38 to 3e38.
+TEST(Scene, ScalesAtTheEndsOfDoubles) {
+  const Instance instance = instance_of("dicosm", 2);
+  const Triangulation triangulation = triangulate(instance, analyse(instance), {}).triangulation;
+  const Scene plain = make_scene(instance, triangulation, {});
+  for (const int digits : {300, 80, -30, -300}) {
+    const Integer power("1" + std::string(static_cast<std::size_t>(std::abs(digits)), '0'));
+    Instance scaled = instance;
+    scaled.gram = (digits > 0 ? Rational(power) : Rational(Integer(1), power)) * instance.gram;
+    const Scene scene = make_scene(scaled, triangulation, {});
+    ASSERT_EQ(scene.cells.size(), plain.cells.size());
+    for (std::size_t c = 0; c < scene.cells.size(); ++c)
+      EXPECT_EQ(scene.cells[c].corners, plain.cells[c].corners) << digits;
+    const std::string page = html_text(scene, 0);
+    EXPECT_NE(page.find("Lengths are divided by 2^"), std::string::npos);
+    const std::size_t at = page.find("\"lattice\":[[") + 12;
+    const double length = std::stod(page.substr(at, 30));
+    EXPECT_TRUE(length >= 1 && length < 2) << length;
+  }
+  EXPECT_EQ(html_text(plain, 0).find("Lengths are divided"), std::string::npos);
+}
+
 TEST(Scene, TheWitnessKeepsItsShape) {
   const Instance instance =
       parse_instance("flatdt-instance 1 dimension 3 manifold torocosm points 1 0 0 0\n", "i");

@@ -9,6 +9,8 @@
 #include "flatdt/ref/errors.hpp"
 #include "flatdt/ref/families.hpp"
 #include "flatdt/ref/instance_format.hpp"
+#include "flatdt/ref/refutation.hpp"
+#include "flatdt/ref/triangulate.hpp"
 
 namespace flatdt::ref {
 namespace {
@@ -112,6 +114,76 @@ TEST(Svg, MarksAViolatedDisk) {
   EXPECT_EQ(none.notes.at(0), "No circumdisk has a point strictly inside.");
 }
 
+/// The first cell whose disk has an image inside, found by looking at all images near the cell's lattice
+/// cell.
+std::string first_violated(const Instance& instance, const Triangulation& triangulation) {
+  const GroupAnalysis analysis = analyse(instance);
+  const Matrix to_lattice = analysis.frame.basis.inverse();
+  for (std::size_t k = 0; k < triangulation.cells.size(); ++k) {
+    std::vector<Vector> corners;
+    for (std::size_t c = 0; c < 3; ++c)
+      corners.push_back(triangulation.elements[triangulation.cells[k][c].element] *
+                        instance.points[triangulation.cells[k][c].point]);
+    const auto disk = circumscribed_ball(instance.gram, corners);
+    if (!disk) continue;
+    const Vector at = to_lattice * disk->centre;
+    for (const Vector& point : instance.points)
+      for (const Isometry& g : analysis.cosets) {
+        const Vector u = to_lattice * (g * point);
+        for (int i = -1; i <= 2; ++i)
+          for (int j = -1; j <= 2; ++j) {
+            Vector near = u;
+            near[0] += Rational(floor(at[0] - u[0])) + Rational(i);
+            near[1] += Rational(floor(at[1] - u[1])) + Rational(j);
+            if (squared_length(instance.gram, analysis.frame.basis * near - disk->centre) <
+                disk->radius_squared)
+              return "Violation: the circumdisk of cell " + std::to_string(k) + " ";
+          }
+      }
+  }
+  return "No circumdisk has a point strictly inside.";
+}
+
+TEST(Svg, FindsTheFirstViolatedDisk) {
+  std::size_t found = 0, tries = 0;
+  for (const char* name : {"torus", "klein-bottle"})
+    for (const char* family : {"uniform", "clustered", "grid"})
+      for (unsigned seed = 1; seed <= 2; ++seed) {
+        Instance instance = generate(*find_entry(name), name, family, 9, seed, "random");
+        const auto result = triangulate(instance, analyse(instance), {});
+        // A point that has moved, by more each time: from disks of its neighbours to wide ones.
+        for (int k = 8; k >= 0; k -= 2) {
+          const std::string expected = first_violated(instance, result.triangulation);
+          const Drawing drawing = draw_svg(instance, result.triangulation, {false, true});
+          EXPECT_EQ(drawing.notes.at(0).rfind(expected, 0), 0U) << drawing.notes[0] << expected;
+          ++tries;
+          if (expected[0] == 'V') ++found;
+          instance.points[seed][0] += Rational::ratio(1, std::int64_t{1} << static_cast<unsigned>(k));
+        }
+      }
+  EXPECT_GT(found, tries / 3);
+  EXPECT_LT(found, tries);
+}
+
+/// Every cell against every point would be 24 million distances, a minute or more.
+TEST(Svg, LooksForAViolationNearEachDisk) {
+  const Instance instance = generate(*find_entry("torus"), "torus", "uniform", 1'500, 1, "canonical");
+  const auto result = triangulate(instance, analyse(instance), {});
+  const Drawing drawing = draw_svg(instance, result.triangulation, {false, true});
+  EXPECT_EQ(drawing.notes.at(0), "No circumdisk has a point strictly inside.");
+}
+
+TEST(Svg, RefusesToLookForever) {
+  Instance instance = generate(*find_entry("torus"), "torus", "uniform", 1'200, 1, "canonical");
+  // Disks as wide as the lattice's cell, on whose circles all lie: every point is looked at for each of them.
+  for (Vector& point : instance.points) point = instance.points[0];
+  Triangulation triangulation = parse_triangulation(
+      "flatdt-triangulation 1 elements 3 1 0 0 0 1 0  1 0 1 0 1 0  1 0 0 0 1 1 cells 1 0 0 0 1 0 2\n", "t", 2,
+      1200);
+  triangulation.cells.resize(3'000, triangulation.cells[0]);
+  EXPECT_THROW(draw_svg(instance, triangulation, {false, true}), LimitReached);
+}
+
 TEST(Svg, ACoverHasBothCells) {
   std::string text = kOnePoint;
   text.insert(text.find("elements"), "subgroup 2 1 0 3 0 1 0  1 0 0 0 1 3\n");
@@ -179,12 +251,12 @@ TEST(Svg, NonsenseIsDrawnOrRefused) {
   const std::vector<std::string> texts = {
       "flatdt-triangulation 1 elements 0 cells 0\n", "flatdt-triangulation 1 subgroup 0 elements 0 cells 0\n",
       "flatdt-triangulation 1 subgroup 1 1 0 0 0 1 0 elements 1 1 0 0 0 1 0 cells 1 0 0 0 0 0 0\n",
-      "flatdt-triangulation 1 subgroup 2 -1 0 0 0 -1 0 1 1 0 0 1 0 elements 1 1 0 0 0 1 0 cells 1 0 0 1 0 1 "
-      "0\n",
+      std::string("flatdt-triangulation 1 subgroup 2 -1 0 0 0 -1 0 1 1 0 0 1 0 ") +
+          "elements 1 1 0 0 0 1 0 cells 1 0 0 1 0 1 0\n",
       // Elements outside the group, singular, huge and tiny.
-      "flatdt-triangulation 1 elements 4 0 0 0 0 0 0  1e900 0 1e1000 0 1 0  1/7 0 1e-1000 5 2 1  1 0 0 0 1 "
-      "0\n"
-      "cells 4 0 0 1 0 0 1  0 1 1 2 1 0  1 1 1 2 0 3  0 3 1 3 0 2\n"};
+      std::string("flatdt-triangulation 1 elements 4 0 0 0 0 0 0  1e900 0 1e1000 0 1 0  ") +
+          "1/7 0 1e-1000 5 2 1  1 0 0 0 1 0\n" +
+          "cells 4 0 0 1 0 0 1  0 1 1 2 1 0  1 1 1 2 0 3  0 3 1 3 0 2\n"};
   for (const std::string& text : texts) {
     const Drawing drawing = draw(instance, text, true, true);
     EXPECT_TRUE(well_formed(drawing.svg)) << text;

@@ -86,7 +86,10 @@ TEST(EdgeClaim, MalformedFilesAreRefused) {
         "flatdt-edges 1\nelements 1\n1 0 0 0 1 0\nedges 1\n0 0 0\n",
         "flatdt-edges 1\nelements 1\n1 0 0 0 1 0\nedges 99999999999\n",
         "flatdt-edges 1\nsubgroup 1\n1 0 3 0 1 0\nelements 0\nedges 0\n",
-        "flatdt-edges 1\nelements 1\n1 0 0 0 1 0\nedges 0\n0\n"})
+        "flatdt-edges 1\nelements 1\n1 0 0 0 1 0\nedges 0\n0\n",
+        "flatdt-edges 1\nelements 1\n1 0 0 0 1 0\nedges0\n",
+        "flatdt-edges 1\nelements 1\n1 0 0 0 1 0\nxedges 0\n",
+        "flatdt-edges 1\nelements 1\n1 0 0 0 1 0\nedges 0"})
     EXPECT_EQ(judge_edges(square, wrong, 0).signature, "malformed") << wrong;
 }
 
@@ -96,8 +99,8 @@ void expect_each_edge_missed(const std::string& instance_text, std::size_t least
   const auto analysis = ref::analyse(instance);
   const auto t = ref::triangulate(instance, analysis, {}).triangulation;
   const DelaunayGraph graph(instance, analysis, t);
-  std::string elements;
-  for (const ref::Isometry& g : t.elements) elements += g.to_string() + "\n";
+  std::string head = "flatdt-edges 1\nelements " + std::to_string(t.elements.size()) + "\n";
+  for (const ref::Isometry& g : t.elements) head += g.to_string() + "\n";
   std::map<EdgeKey, std::set<std::string>> edges;
   const auto word = [](const auto& v) { return std::to_string(v.point) + " " + std::to_string(v.element); };
   for (const auto& cell : t.cells)
@@ -117,8 +120,8 @@ void expect_each_edge_missed(const std::string& instance_text, std::size_t least
           text += line;
           ++count;
         }
-    const std::string claim = "flatdt-edges 1\nelements " + std::to_string(t.elements.size()) + "\n" +
-                              elements + "edges " + std::to_string(count) + "\n" + text;
+    std::string claim = head;
+    claim.append("edges ").append(std::to_string(count)).append("\n").append(text);
     EXPECT_EQ(judge_edges(instance_text, claim, 0).signature, "refuted edges.present") << claim;
   }
 }
