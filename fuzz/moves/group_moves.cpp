@@ -76,10 +76,12 @@ bool move_generators(Specimen& specimen, Random& random) {
     case 3:
       g.translation[random.below(d)] = simple_rational(random);
       return true;
-    case 4:
-      g.linear(random.below(d), random.below(d)) =
-          random.one_in(3) ? simple_rational(random) : Rational(random.below(3) - 1);
+    case 4: {
+      const Rational entry = random.one_in(3) ? simple_rational(random) : Rational(random.below(3) - 1);
+      const int column = random.below(d);
+      g.linear(random.below(d), column) = entry;
       return true;
+    }
     case 5:
       g.translation[random.below(d)] += tiny_rational(random);
       return true;

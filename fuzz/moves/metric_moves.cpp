@@ -21,7 +21,8 @@ bool move_metric(Specimen& specimen, Random& random) {
       gram = abs(simple_rational(random)) * gram;
       break;
     case 2: {  // a longer or shorter axis
-      const Rational factor(Integer(1 + random.below(8)), Integer(1 + random.below(8)));
+      const Integer denominator = 1 + random.below(8);
+      const Rational factor(Integer(1 + random.below(8)), denominator);
       for (int k = 0; k < d; ++k) {
         gram(i, k) = factor * gram(i, k);
         gram(k, i) = factor * gram(k, i);

@@ -17,7 +17,8 @@ using ref::Vector;
 const Rational kHalf(Integer(1), Integer(2));
 
 Vector random_orbit_point(const Specimen& specimen, Random& random) {
-  return random_element(specimen, random) * specimen.points[random.index(specimen.points.size())];
+  const Vector& point = specimen.points[random.index(specimen.points.size())];
+  return random_element(specimen, random) * point;
 }
 
 /// The centre of the sphere through d+1 points of orbits: 2 A G c = q in coordinates relative to the first,
@@ -97,7 +98,8 @@ std::optional<Vector> place(const Specimen& specimen, const Vector& x, Random& r
     case 4:  // another representative of its orbit
       return random_element(specimen, random) * x;
     case 5:  // the midpoint of two points of orbits
-      return kHalf * (random_orbit_point(specimen, random) + random_orbit_point(specimen, random));
+      y = random_orbit_point(specimen, random);
+      return kHalf * (y + random_orbit_point(specimen, random));
     case 6:  // the other end of a diameter of a circumsphere
     case 7:
       if (const auto centre = circumcentre(specimen, random))
@@ -158,10 +160,11 @@ bool move_point(Specimen& specimen, Random& random) {
   switch (random.below(8)) {
     case 0:
       return remove_point(specimen, random);
-    case 1:
-      std::swap(specimen.points[random.index(specimen.points.size())],
-                specimen.points[random.index(specimen.points.size())]);
+    case 1: {
+      Vector& point = specimen.points[random.index(specimen.points.size())];
+      std::swap(point, specimen.points[random.index(specimen.points.size())]);
       return true;
+    }
     case 2:
     case 3: {
       const auto x = place(specimen, random_orbit_point(specimen, random), random);

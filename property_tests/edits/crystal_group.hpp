@@ -41,7 +41,8 @@ class CrystalGroup {
   /// integers of [0, bound).
   template <class Random>
   [[nodiscard]] ref::Isometry element(Random& random, int reach) const {
-    return translation(random, reach) * random.choice(cosets_);
+    const ref::Isometry& coset = random.choice(cosets_);
+    return translation(random, reach) * coset;
   }
   template <class Random>
   [[nodiscard]] ref::Isometry translation(Random& random, int reach) const {

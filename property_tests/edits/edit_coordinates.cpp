@@ -15,6 +15,7 @@ Files in_coordinates(const Base& base, const Isometry& a) {
   const Isometry back = a.inverse();
   const auto conjugated = [&](const std::vector<Isometry>& all) {
     std::vector<Isometry> now;
+    now.reserve(all.size());
     for (const Isometry& g : all) now.push_back(a * g * back);
     return now;
   };
@@ -54,7 +55,8 @@ std::optional<Files> origin_moved_with_all(const Base& base, Random& random) {
 
 std::optional<Files> metric_scaled(const Base& base, Random& random) {
   Draft draft(base);
-  const Rational factor(Integer(random.between(1, 1000)), Integer(random.between(1, 1000)));
+  const Integer denominator(random.between(1, 1000));
+  const Rational factor(Integer(random.between(1, 1000)), denominator);
   draft.instance().gram = factor * base.instance().gram;
   return draft.files();
 }

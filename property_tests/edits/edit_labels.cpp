@@ -152,7 +152,8 @@ std::optional<Files> vertex_outside(const Base& base, Random& random) {
 std::optional<Files> unused_outside(const Base& base, Random& random) {
   Draft draft(base);
   std::vector<Isometry>& elements = draft.triangulation().elements;
-  elements.push_back(outside(base, random) * elements[random.below(elements.size())]);
+  const Isometry element = elements[random.below(elements.size())];
+  elements.push_back(outside(base, random) * element);
   return draft.files();
 }
 

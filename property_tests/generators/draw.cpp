@@ -1,6 +1,7 @@
 #include "flatdt/testing/draw.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "flatdt/ref/families.hpp"
 #include "metrics.hpp"
@@ -53,7 +54,10 @@ std::vector<Isometry> other_generators(std::vector<Isometry> generators, Random&
     if (i != j) generators[i] = generators[i] * generators[j];
     if (random.one_in(2)) generators[j] = generators[j].inverse();
   }
-  if (random.one_in(3)) generators.push_back(random.of(generators) * random.of(generators));
+  if (random.one_in(3)) {
+    const Isometry second = random.of(generators);
+    generators.push_back(random.of(generators) * second);
+  }
   random.shuffle(generators);
   return generators;
 }
@@ -70,8 +74,8 @@ Matrix draw_basis(int d, Random& random) {
       basis = basis * shear;
     }
   if (random.one_in(2)) {
-    std::vector<int> axes;
-    for (int i = 0; i < d; ++i) axes.push_back(i);
+    std::vector<int> axes(static_cast<std::size_t>(d));
+    std::iota(axes.begin(), axes.end(), 0);
     random.shuffle(axes);
     Matrix permutation(d);
     for (int i = 0; i < d; ++i) permutation(i, axes[static_cast<std::size_t>(i)]) = random.one_in(2) ? -1 : 1;

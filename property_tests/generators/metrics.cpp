@@ -81,6 +81,7 @@ Matrix stretched_metric(const Matrix& gram, const std::vector<Isometry>& cosets,
   const int d = gram.dimension();
   const std::vector<int> classes = axis_classes(cosets, d);
   std::vector<Rational> factor;
+  factor.reserve(static_cast<std::size_t>(d));
   for (int i = 0; i < d; ++i) factor.emplace_back(random.between(1, max_stretch));
   Matrix result(d);
   for (int i = 0; i < d; ++i)
@@ -99,10 +100,11 @@ Matrix draw_metric(const Matrix& canonical, const std::vector<Isometry>& cosets,
     case 1:
       gram = averaged(random_positive_definite(d, random), cosets);
       break;
-    case 2:
-      gram = canonical + power_of_two(-static_cast<int>(random.between(10, 70))) *
-                             averaged(random_positive_definite(d, random), cosets);
+    case 2: {
+      const Matrix change = averaged(random_positive_definite(d, random), cosets);
+      gram = canonical + power_of_two(-static_cast<int>(random.between(10, 70))) * change;
       break;
+    }
     case 3:
       gram = stretched_metric(canonical, cosets, max_stretch, random);
       break;

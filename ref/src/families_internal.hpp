@@ -13,7 +13,8 @@
 
 namespace flatdt::ref::families_detail {
 
-/// Pseudo-random choices, the same on every machine.
+/// Pseudo-random choices, the same on every machine. An expression draws once: compilers differ in which
+/// operand or argument they evaluate first.
 class Random {
  public:
   /// Streams of different names are independent for the same seed.

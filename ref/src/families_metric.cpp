@@ -74,8 +74,9 @@ Matrix stretched_gram(const Matrix& gram, const std::vector<Isometry>& cosets, R
 
 Instance in_skew_basis(const Instance& instance, Random& random) {
   const int d = instance.dimension;
-  const Matrix basis =
-      random_shear(d, true, random) * random_shear(d, false, random) * random_shear(d, true, random);
+  const Matrix last = random_shear(d, true, random);
+  const Matrix middle = random_shear(d, false, random);
+  const Matrix basis = random_shear(d, true, random) * middle * last;
   const Matrix inverse = basis.inverse();
   Instance skew = instance;
   skew.generators_given = true;

@@ -47,7 +47,8 @@ Points nearly_duplicate(const Setting& setting, long n, Random& random) {
 
 Points far_from_cell(const Setting& setting, long n, Random& random) {
   return distinct(setting, n, [&] {
-    const Vector x = random_coset(setting, random) * random.point(setting.dimension);
+    const Vector point = random.point(setting.dimension);
+    const Vector x = random_coset(setting, random) * point;
     const long reach = 1L << random.between(10, 50);
     return x + random.integral(setting.dimension, -reach, reach);
   });
@@ -61,7 +62,8 @@ Points single_orbit(const Setting& setting, long n, Random& random) {
   std::set<Vector> seen = {x};
   Points points = {x};
   while (points.size() < static_cast<std::size_t>(n)) {
-    const Vector y = random_coset(setting, random) * x + random.integral(setting.dimension, -reach, reach);
+    const Vector shift = random.integral(setting.dimension, -reach, reach);
+    const Vector y = random_coset(setting, random) * x + shift;
     if (seen.insert(y).second) points.push_back(y);
   }
   return points;

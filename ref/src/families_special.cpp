@@ -161,7 +161,8 @@ Points near_cospherical(const Setting& setting, long n, Random& random) {
   return distinct(setting, n, [&] {
     k = k == 60 ? 8 : k + 1;
     const Rational step = power_of_half(k);
-    return centre + (Rational(1) + (random.below(2) == 0 ? step : -step)) * sphere.point(random);
+    const Vector on_sphere = sphere.point(random);
+    return centre + (Rational(1) + (random.below(2) == 0 ? step : -step)) * on_sphere;
   });
 }
 

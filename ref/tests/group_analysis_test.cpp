@@ -150,8 +150,9 @@ TEST(GroupAnalysis, DependsOnTheGroupOnly) {
     const int d = entry.dimension;
     for (int repetition = 0; repetition < 20; ++repetition) {
       const Matrix gram = averaged(random_metric(d, random), entry.coset_representatives);
-      const Instance instance = moved(make_instance(entry.generators, gram), random_unimodular(d, random),
-                                      random_origin(d, random));
+      const Vector origin = random_origin(d, random);
+      const Instance instance =
+          moved(make_instance(entry.generators, gram), random_unimodular(d, random), origin);
       Instance other = instance;
       auto& generators = other.generators;
       // Moves that keep the generated group: products, inverses, copies, any order.

@@ -14,7 +14,9 @@ namespace flatdt::ref::testing {
 inline Matrix make_matrix(int dimension, const std::vector<Rational>& entries) {
   Matrix m(dimension);
   for (int i = 0; i < dimension; ++i)
-    for (int j = 0; j < dimension; ++j) m(i, j) = entries[static_cast<std::size_t>(i * dimension + j)];
+    for (int j = 0; j < dimension; ++j)
+      m(i, j) = entries[static_cast<std::size_t>(i) * static_cast<std::size_t>(dimension) +
+                        static_cast<std::size_t>(j)];
   return m;
 }
 
@@ -55,6 +57,7 @@ inline Matrix random_metric(int dimension, std::mt19937_64& random) {
 /// A product of elementary matrices, of determinant +-1.
 inline Matrix random_unimodular(int dimension, std::mt19937_64& random) {
   Matrix u = Matrix::identity(dimension);
+  if (dimension < 2) return u;
   for (int step = 0; step < 6; ++step) {
     const int i = static_cast<int>(random() % static_cast<unsigned>(dimension));
     const int j = (i + 1 + static_cast<int>(random() % static_cast<unsigned>(dimension - 1))) % dimension;

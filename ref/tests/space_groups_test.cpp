@@ -123,9 +123,10 @@ TEST(SpaceGroups, EverySettingInOtherCoordinates) {
   std::mt19937_64 random(2);
   for (const Setting& setting : all_settings()) {
     const int repetitions = torsion_free_types().count(setting.number) > 0 ? 10 : 1;
-    for (int k = 0; k < repetitions; ++k)
-      expect_right_answer(setting, setting.instance(random),
-                          {random_unimodular(3, random), random_origin(3, random)});
+    for (int k = 0; k < repetitions; ++k) {
+      const Isometry map{random_unimodular(3, random), random_origin(3, random)};
+      expect_right_answer(setting, setting.instance(random), map);
+    }
   }
 }
 
@@ -135,8 +136,8 @@ TEST(SpaceGroups, DeltaDoesNotDependOnCoordinates) {
     if (torsion_free_types().count(setting.number) == 0) continue;
     const Instance instance = setting.instance(random);
     const GroupAnalysis here = analyse(instance);
-    const GroupAnalysis there =
-        analyse(moved(instance, random_unimodular(3, random), random_origin(3, random)));
+    const Vector origin = random_origin(3, random);
+    const GroupAnalysis there = analyse(moved(instance, random_unimodular(3, random), origin));
     EXPECT_EQ(here.frame.delta_squared, there.frame.delta_squared) << setting.name;
     EXPECT_EQ(here.volume_squared, there.volume_squared) << setting.name;
     EXPECT_EQ(here.h1, there.h1) << setting.name;
