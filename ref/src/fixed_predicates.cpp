@@ -158,23 +158,27 @@ std::optional<int> FixedPredicates<D>::load(const OrbitPoint* p, const OrbitPoin
     for (std::size_t j = 0; j < D; ++j) x += static_cast<Int128>(site.small[j]) * linear[3 * i + j];
     return x;
   };
-  std::array<Int128, D> origin;
   const Site& centre = (*sites_)[index_of(w.site)];
   if (centre.form->small_denominator != denominator_) return std::nullopt;
-  for (std::size_t i = 0; i < D; ++i) origin[i] = coordinate(w, centre, i);
   std::uint64_t any = 0;  // its bits bound the magnitudes of all entries
   for (std::size_t k = 0; k < Count; ++k) {
     const Site& site = (*sites_)[index_of(p[k].site)];
     if (site.form->small_denominator != denominator_) return std::nullopt;
+    // By translations alone: the difference of two numbers below 2^62, and of whole periods.
+    const bool is_translated = (p[k].g.coset | w.g.coset) == 0;
     for (std::size_t i = 0; i < D; ++i) {
-      const Int128 difference = coordinate(p[k], site, i) - origin[i];
-      const Int128 magnitude = difference < 0 ? -difference : difference;
-      if (magnitude >> kMaxBits != 0) return std::nullopt;
-      any |= static_cast<std::uint64_t>(magnitude);
+      const Int128 difference =
+          is_translated ? site.small[i] - centre.small[i] +
+                              static_cast<Int128>(denominator_) * (std::int64_t{p[k].g.t[i]} - w.g.t[i])
+                        : coordinate(p[k], site, i) - coordinate(w, centre, i);
       rows[k][i] = static_cast<std::int64_t>(difference);
+      if (difference != rows[k][i]) return std::nullopt;
+      const auto entry = static_cast<std::uint64_t>(rows[k][i]);
+      any |= rows[k][i] < 0 ? 0 - entry : entry;
     }
   }
-  return std::bit_width(any);
+  const int bits = std::bit_width(any);
+  return bits <= kMaxBits ? std::optional(bits) : std::nullopt;
 }
 
 template <int D>

@@ -140,6 +140,7 @@ void PeriodicDelaunay<D>::insert(SiteId site, std::uint32_t rep, const Location&
   // In a safe cover q and a copy of it cannot share a neighbour: that would be a 2-cycle.
   ensure(insertion_ == Insertion::without_covers, "no cell of the conflict region occurs twice modulo H");
   std::vector<CellId> removed;
+  removed.reserve(region_.size());
   for (const Location& here : region_) removed.push_back(here.cell);
   const std::vector<CellPoints<D>> star = star_among_own_copies(q);
   needs_smaller_group_ = met_undecided_tie();

@@ -14,6 +14,7 @@ template <int D>
 std::vector<Lift> PeriodicDelaunay<D>::possible_own_neighbours(const OrbitPoint& q) const {
   const GroupTable& table = *setting_.table;
   std::vector<Element> found;
+  found.reserve(4 * region_.size());
   for (const Location& here : region_) {
     // With h = base * seen^-1, the copy h1 h2^-1 q is base * seen1^-1 * seen2 applied to the site.
     for (std::uint32_t v = last_visit(here.cell); v != kNoVisit; v = visits_[v].previous)
@@ -25,6 +26,7 @@ std::vector<Lift> PeriodicDelaunay<D>::possible_own_neighbours(const OrbitPoint&
   found.erase(std::unique(found.begin(), found.end()), found.end());
   const Lift centre = complex_.lift(q);
   std::vector<std::pair<double, Lift>> sorted;
+  sorted.reserve(found.size());
   for (const Element& g : found) {
     const Lift copy = complex_.lift(OrbitPoint{q.site, g});
     sorted.emplace_back(setting_.predicates->filter().approximate_squared_distance(centre.x, copy.x), copy);
@@ -33,6 +35,7 @@ std::vector<Lift> PeriodicDelaunay<D>::possible_own_neighbours(const OrbitPoint&
     return a.first != b.first ? a.first < b.first : a.second.point < b.second.point;
   });
   std::vector<Lift> copies;
+  copies.reserve(sorted.size());
   for (const auto& [distance, copy] : sorted) copies.push_back(copy);
   return copies;
 }
@@ -57,6 +60,7 @@ void PeriodicDelaunay<D>::replace_by_star(const std::vector<CellPoints<D>>& star
                                           std::vector<CellId> removed) {
   // A cell with k vertices in the orbit of q occurs k times in the star modulo H.
   std::vector<CellPoints<D>> cells;
+  cells.reserve(star.size());
   for (const CellPoints<D>& cell : star)
     cells.push_back(canonical_face<D + 1>(*setting_.table, complex_.subgroup(), cell).key);
   std::sort(cells.begin(), cells.end());
@@ -65,6 +69,7 @@ void PeriodicDelaunay<D>::replace_by_star(const std::vector<CellPoints<D>>& star
   std::sort(removed.begin(), removed.end());
   removed.erase(std::unique(removed.begin(), removed.end()), removed.end());
   std::vector<typename QuotientComplex<D>::FacetOccurrence> facets;
+  facets.reserve((removed.size() + cells.size()) * (D + 1));
   for (const CellId c : removed)
     for (std::uint32_t k = 0; k <= D; ++k) {
       const CellId outside = complex_.cell(c).neighbour[k];
